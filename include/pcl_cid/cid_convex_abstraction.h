@@ -1,0 +1,142 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * A cloud as approximately convex parts, one hull each.
+ */
+
+#pragma once
+
+#include <pcl_cid/cid_base.h>
+#include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/group_merging.h>
+
+#include <vector>
+
+#include <pcl/PointIndices.h>
+
+namespace pcl_cid {
+
+/** \brief Abstraction (section IV.B of the paper): groups merged by group CID into
+ *  approximately convex parts (Algorithm 2), one convex hull each.
+ *
+ *  \code
+ *  pcl_cid::CIDConvexAbstraction<pcl::PointXYZ> abstraction;
+ *  abstraction.setInputCloud(cloud);
+ *  abstraction.setNumberOfParts(30);
+ *  std::vector<pcl_cid::ConvexPart> parts;
+ *  abstraction.reconstruct(parts);
+ *  \endcode
+ *
+ *  The merge tree is computed once and can be cut anywhere: getMergeTree(), then
+ *  reconstruct(cut, parts) for each cut. Parts are ordered by their lowest group; every
+ *  finite, selected point belongs to exactly one.
+ *  See CIDBase for the input, errors, determinism and thread safety.
+ *  \ingroup segmentation */
+template <typename PointT>
+class CIDConvexAbstraction : public CIDBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<CIDConvexAbstraction<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const CIDConvexAbstraction<PointT>>;
+
+  /** \brief Merge until this many parts remain (K'): at least 1. The last of the three
+   *  setters called counts; the default is no merge. */
+  void
+  setNumberOfParts(int number_of_parts);
+
+  /** \brief Merge while the smallest CID_g is at most this: metres, 0 or more. */
+  void
+  setMergeThreshold(double merge_threshold);
+
+  /** \brief Merge this many times (T): 0 or more. */
+  void
+  setNumberOfMerges(int number_of_merges);
+
+  const MergeCut&
+  getMergeCut() const
+  {
+    return merge_cut_;
+  }
+
+  /** \brief Points drawn from each group to estimate CID_g: at least 1; default 16. */
+  void
+  setGroupSampleSize(int group_sample_size);
+
+  int
+  getGroupSampleSize() const
+  {
+    return group_sample_size_;
+  }
+
+  /** \brief Least thickness of a hull (see ConvexPartOptions): metres, above 0; default
+   *  0.005. */
+  void
+  setMinThickness(double min_thickness);
+
+  double
+  getMinThickness() const
+  {
+    return hull_options_.min_thickness;
+  }
+
+  /** \brief The points of each part.
+   *  \param[out] parts indices of the input cloud, ascending within a part
+   *  \throws CIDException, CIDCancelled */
+  void
+  segment(std::vector<pcl::PointIndices>& parts);
+
+  /** \brief The parts and their hulls.
+   *  \param[out] parts as from segment(), each with its hull */
+  void
+  reconstruct(std::vector<ConvexPart>& parts);
+
+  /** \brief The hulls of another cut of the last merge tree; the input must still be
+   * the same. \param[in] cut part number of each group, as a MergeTree gives it
+   *  \param[out] parts by part number
+   *  \throws CIDException when nothing was computed, or the cut does not fit the tree
+   */
+  void
+  reconstruct(const std::vector<int>& cut, std::vector<ConvexPart>& parts);
+
+  /** \brief The merge tree of the last segment() or reconstruct(). Its sizes count the
+   *  points worked on: those of the subsample where one was drawn. */
+  const MergeTree&
+  getMergeTree() const
+  {
+    return merge_tree_;
+  }
+
+  /** \brief Seeds, groups and coverage of the last segment() or reconstruct(). */
+  const SeedProposal&
+  getProposal() const
+  {
+    return proposal_;
+  }
+
+private:
+  /** \brief Algorithms 1 and 2, and the cut that the settings ask for.
+   *  \param[in] until the share of the verb's progress that this makes up */
+  std::vector<int>
+  decompose(double until);
+
+  /** \brief The part of each point of the input cloud, -1 for none. */
+  std::vector<int>
+  partOfEachPoint(const std::vector<int>& cut) const;
+
+  std::vector<ConvexPart>
+  makeHulls(const std::vector<int>& cut, const ExecutionOptions& execution) const;
+
+  MergeCut merge_cut_;
+  int group_sample_size_ = 16;
+  ConvexPartOptions hull_options_;
+  SeedProposal proposal_;
+  MergeTree merge_tree_;
+};
+
+} // namespace pcl_cid
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_cid/impl/cid_convex_abstraction.hpp>
+#endif

@@ -1,0 +1,60 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Farthest-first sampling in Concavity-Induced Distance.
+ */
+
+#pragma once
+
+#include <pcl_cid/cid_base.h>
+
+namespace pcl_cid {
+
+/** \brief Seeds by farthest-first sampling in CID (CID-FPS, Algorithm 1 of the paper),
+ * and the group of every point: the seed with the smallest CID to it.
+ *
+ *  \code
+ *  pcl_cid::CIDSampler<pcl::PointXYZ> sampler;
+ *  sampler.setInputCloud(cloud);
+ *  sampler.setNumberOfSeeds(100);
+ *  pcl::Indices seeds;
+ *  sampler.sample(seeds);
+ *  const std::vector<pcl::index_t>& group = sampler.getProposal().group;
+ *  \endcode
+ *
+ *  The seeds are nested: the first k of them are what k seeds would have been.
+ *  Degenerate input: duplicates never become seeds, so a cloud with fewer distinct
+ * points than seeds gives one seed for each of them, with a warning. See CIDBase for
+ * the input, errors, determinism and thread safety. \ingroup segmentation */
+template <typename PointT>
+class CIDSampler : public CIDBase<PointT> {
+public:
+  using Ptr = pcl::shared_ptr<CIDSampler<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const CIDSampler<PointT>>;
+
+  /** \brief Run Algorithm 1.
+   *  \param[out] seeds indices of the input cloud, in the order they were chosen
+   *  \throws CIDException, CIDCancelled */
+  void
+  sample(pcl::Indices& seeds);
+
+  /** \brief Seeds, groups and coverage of the last sample(); indices of the input
+   * cloud, groups and CIDs for each of its points. */
+  const SeedProposal&
+  getProposal() const
+  {
+    return proposal_;
+  }
+
+private:
+  SeedProposal proposal_;
+};
+
+} // namespace pcl_cid
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_cid/impl/cid_sampler.hpp>
+#endif

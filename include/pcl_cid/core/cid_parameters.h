@@ -1,0 +1,181 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The settings that do not depend on the point type.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/distance_field.h>
+#include <pcl_cid/core/execution.h>
+#include <pcl_cid/pcl_cid_export.h>
+
+#include <cstdint>
+#include <optional>
+
+#include <pcl/types.h>
+
+namespace pcl_cid {
+
+/** \brief The settings that all classes of pcl_cid share. Every setter refuses a bad
+ * value at once with a CIDException and then changes nothing. */
+class PCL_CID_EXPORT CIDParameters {
+public:
+  using Search = DistanceField::Search;
+
+  /** \brief K, the number of seeds: at least 1; default 100, as in the paper. Fewer
+   * come back when the cloud has fewer distinct points. */
+  void
+  setNumberOfSeeds(int number_of_seeds);
+
+  int
+  getNumberOfSeeds() const
+  {
+    return number_of_seeds_;
+  }
+
+  /** \brief Stop adding seeds as soon as every point is within this CID of its seed
+   *  (*ours*): metres, 0 or more; default 0. Whichever of the two stops comes first
+   * counts, so ask for as many seeds as the guarantee may cost. */
+  void
+  setCoverage(float coverage);
+
+  float
+  getCoverage() const
+  {
+    return coverage_;
+  }
+
+  /** \brief M, the samples on a segment (Eq. 2): 2 to 1,048,576; default 100, as in the
+   *  paper. */
+  void
+  setNumberOfSamples(int number_of_samples);
+
+  int
+  getNumberOfSamples() const
+  {
+    return number_of_samples_;
+  }
+
+  /** \brief Work on a random draw of this many points (the paper: 20,000), and let
+   * every other point follow its Euclidean-nearest one; 0, the default, works on all of
+   * them. */
+  void
+  setSubsample(int subsample);
+
+  int
+  getSubsample() const
+  {
+    return subsample_;
+  }
+
+  /** \brief Seed of every draw (start, subsample, samples of groups); default 0. */
+  void
+  setRandomSeed(std::uint64_t random_seed)
+  {
+    random_seed_ = random_seed;
+  }
+
+  std::uint64_t
+  getRandomSeed() const
+  {
+    return random_seed_;
+  }
+
+  /** \brief Begin the traversal at this point of the input cloud instead of a random
+   * one: 0 or more; the verb then requires it to be a finite, selected point. */
+  void
+  setStartIndex(pcl::index_t start_index);
+
+  /** \brief Begin at a random point again (the default). */
+  void
+  resetStartIndex()
+  {
+    start_index_.reset();
+  }
+
+  std::optional<pcl::index_t>
+  getStartIndex() const
+  {
+    return start_index_;
+  }
+
+  /** \brief The points of the input cloud that may become seeds; null, the default,
+   * means all that are grouped. Those that are not grouped are passed over. */
+  void
+  setSeedCandidates(const pcl::IndicesConstPtr& seed_candidates)
+  {
+    seed_candidates_ = seed_candidates;
+  }
+
+  pcl::IndicesConstPtr
+  getSeedCandidates() const
+  {
+    return seed_candidates_;
+  }
+
+  /** \brief Who answers nearest-neighbour queries; null, the default, means
+   *  pcl::search::KdTree, which is pcl::KdTreeFLANN. It is given the surface about a
+   * local origin, as PointXYZ; it must be exact and safe for concurrent queries. */
+  void
+  setSearchMethod(const Search::Ptr& search_method)
+  {
+    search_method_ = search_method;
+  }
+
+  Search::Ptr
+  getSearchMethod() const
+  {
+    return search_method_;
+  }
+
+  /** \brief Number of threads; 0, the default, means all. */
+  void
+  setNumberOfThreads(unsigned int number_of_threads = 0)
+  {
+    number_of_threads_ = number_of_threads;
+  }
+
+  unsigned int
+  getNumberOfThreads() const
+  {
+    return number_of_threads_;
+  }
+
+  /** \brief Called during every verb (see ProgressCallback); empty, the default, means
+   *  nobody is told. A verb that was cancelled throws CIDCancelled. */
+  void
+  setProgressCallback(const ProgressCallback& progress)
+  {
+    progress_ = progress;
+  }
+
+  ProgressCallback
+  getProgressCallback() const
+  {
+    return progress_;
+  }
+
+protected:
+  /** \brief Threads, and the callback told fractions from \a begin to \a end: the share
+   * of a verb that one of its steps makes up. */
+  ExecutionOptions
+  execution(double begin, double end) const;
+
+private:
+  int number_of_seeds_ = 100;
+  float coverage_ = 0.0f;
+  int number_of_samples_ = 100;
+  int subsample_ = 0;
+  std::uint64_t random_seed_ = 0;
+  std::optional<pcl::index_t> start_index_;
+  pcl::IndicesConstPtr seed_candidates_;
+  Search::Ptr search_method_;
+  unsigned int number_of_threads_ = 0;
+  ProgressCallback progress_;
+};
+
+} // namespace pcl_cid

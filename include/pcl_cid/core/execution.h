@@ -1,0 +1,30 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * How long work runs: threads, progress, cancellation.
+ */
+
+#pragma once
+
+#include <functional>
+
+namespace pcl_cid {
+
+/** \brief Called during long work with the fraction done, 0 to 1, never falling;
+ * returns false to cancel. Always called from the thread that started the work, a few
+ * times to about twenty times a second. An exception it throws ends the work and
+ * reaches the caller. */
+using ProgressCallback = std::function<bool(double fraction)>;
+
+/** \brief How to run; never changes a result. */
+struct ExecutionOptions {
+  /** Number of threads; 0 means all that OpenMP offers. */
+  unsigned int threads = 0;
+  /** Progress and cancellation; empty means none. */
+  ProgressCallback progress;
+};
+
+} // namespace pcl_cid

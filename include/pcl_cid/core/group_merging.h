@@ -1,0 +1,142 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Algorithm 2: groups merged by group CID, as a dendrogram that can be cut anywhere.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/distance_field.h>
+#include <pcl_cid/core/execution.h>
+#include <pcl_cid/pcl_cid_export.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <pcl/types.h>
+
+namespace pcl_cid {
+
+/** \brief One merge of Algorithm 2. */
+struct MergeStep {
+  /** Numbers of the two that are joined, first < second. A joined group goes by its
+   *  smallest group number, so the result is called `first`. */
+  int first;
+  int second;
+  /** CID_g of the two, metres. */
+  double height;
+  /** Points in the result. */
+  std::size_t size;
+};
+
+/** \brief Where a merge tree is cut: the three stops of Algorithm 2. */
+struct MergeCut {
+  enum class Rule {
+    merges,   ///< after `count` merges (T)
+    parts,    ///< when `count` parts remain (K')
+    threshold ///< when the smallest CID_g exceeds `height` metres
+  };
+  Rule rule = Rule::merges;
+  std::size_t count = 0;
+  double height = 0.0;
+};
+
+/** \brief The whole history of Algorithm 2: K groups, K - 1 merges, lowest CID_g first.
+ *
+ *  CID_g is a mean over pairs (Eq. 3), so the merges are an average linkage, whose
+ *  heights never fall (up to rounding): one dendrogram holds the result for every
+ * number of merges, number of parts and threshold (*ours*). A cut gives the number of
+ * the part of each group; parts are numbered 0, 1, ... by their lowest group. */
+class PCL_CID_EXPORT MergeTree {
+public:
+  /** \brief No groups. */
+  MergeTree() = default;
+
+  /** \param[in] group_sizes points in each of the K groups
+   *  \param[in] steps the merges in order; at most K - 1 */
+  MergeTree(std::vector<std::size_t> group_sizes, std::vector<MergeStep> steps);
+
+  /** \brief K. */
+  std::size_t
+  numberOfGroups() const
+  {
+    return group_sizes_.size();
+  }
+
+  /** \brief Points in each group, by group number. */
+  const std::vector<std::size_t>&
+  groupSizes() const
+  {
+    return group_sizes_;
+  }
+
+  /** \brief The merges in order. */
+  const std::vector<MergeStep>&
+  steps() const
+  {
+    return steps_;
+  }
+
+  /** \brief The part of each group after T merges, the stop of Algorithm 2.
+   *  \param[in] merges T; more than there are means all of them */
+  std::vector<int>
+  cutAfterMerges(std::size_t merges) const;
+
+  /** \brief The part of each group when K' parts remain (all groups when there are
+   * fewer). \param[in] parts K', at least 1 \throws CIDException when it is 0 */
+  std::vector<int>
+  cutAtParts(std::size_t parts) const;
+
+  /** \brief The part of each group when the smallest CID_g exceeds a threshold.
+   *  \param[in] threshold metres, 0 or more
+   *  \throws CIDException when it is negative or not a number */
+  std::vector<int>
+  cutAtHeight(double threshold) const;
+
+  /** \brief The part of each group by whichever of the three rules. */
+  std::vector<int>
+  cut(const MergeCut& where) const;
+
+private:
+  std::vector<std::size_t> group_sizes_;
+  std::vector<MergeStep> steps_;
+};
+
+/** \brief How CID_g is estimated. */
+struct GroupMergingOptions {
+  /** Points drawn from each group (G' in the paper), at least 1; a group with no more
+   *  points than this enters whole, which makes its CID_g exact. */
+  std::size_t group_samples = 16;
+  /** M: samples on a segment, min_samples to max_samples. */
+  int samples = 100;
+  /** Seed of the draw. */
+  std::uint64_t random_seed = 0;
+  ExecutionOptions execution;
+};
+
+/** \brief Algorithm 2 (group merging), run to the end.
+ *
+ *  The K x K matrix of CID_g is estimated once, from a stratified draw: the members of
+ * a group, in the order of the points, are cut into `group_samples` runs of equal
+ * length and one point is drawn from each. A merge replaces two rows by their mean
+ * weighted with the true group sizes (Lance-Williams), which is what computing CID_g
+ * again would give. Equal CID_g: the pair of lowest numbers first. \param[in] field the
+ * surface S \param[in] points the grouped points, in the frame of the surface
+ *  \param[in] group number of the group of each point, 0 to groups - 1; -1 for none
+ *  \param[in] groups K; every group has at least 1 point
+ *  \param[in] options sampling, threads, progress
+ *  \throws CIDException for a setting out of its range or an empty group, CIDCancelled
+ *  \note Cost: K^2 / 2 x group_samples^2 CID evaluations, then O(K^2). O(K^2) memory.
+ *  Same result for every number of threads. */
+PCL_CID_EXPORT MergeTree
+mergeGroups(const DistanceField& field,
+            const Points& points,
+            const std::vector<pcl::index_t>& group,
+            std::size_t groups,
+            const GroupMergingOptions& options);
+
+} // namespace pcl_cid

@@ -1,0 +1,54 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * From a cloud's points and the settings to the run of Algorithm 1.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/cid_parameters.h>
+#include <pcl_cid/core/working_set.h>
+#include <pcl_cid/pcl_cid_export.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace pcl_cid {
+
+/** \brief What a verb works on, and the seeds that it begins with. */
+struct Preparation {
+  std::unique_ptr<WorkingSet> working;
+  /** The start, or all of the seeds given; indices among working->points(). */
+  pcl::Indices seeds;
+  /** See SeedProposalOptions. */
+  pcl::Indices candidates;
+};
+
+/** \brief Draw the working set, with the start or the given seeds in it.
+ *  \param[in] points finite points that are grouped, `source` ascending
+ *  \param[in] surface points of S about the same origin; empty for the points
+ * themselves \param[in] given_seeds indices of the input cloud; empty for a start,
+ * given or drawn \param[in] parameters see CIDParameters \param[in] execution threads
+ * and progress \throws CIDException when there is no finite point, when a seed, the
+ * start or a candidate is not one of them, or when coordinates are too large to square
+ */
+PCL_CID_EXPORT Preparation
+prepare(PointSet points,
+        const Points& surface,
+        const pcl::Indices& given_seeds,
+        const CIDParameters& parameters,
+        const ExecutionOptions& execution);
+
+/** \brief Algorithm 1 on the working set, from the start of the preparation; warns with
+ *  PCL_WARN when fewer seeds than asked for come back.
+ *  \param[in] caller name of the class and verb, for the warning */
+PCL_CID_EXPORT SeedProposal
+propose(const Preparation& preparation,
+        const CIDParameters& parameters,
+        const ExecutionOptions& execution,
+        const char* caller);
+
+} // namespace pcl_cid

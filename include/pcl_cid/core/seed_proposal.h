@@ -1,0 +1,97 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Algorithm 1: seeds by farthest-first traversal in CID, and the group of each point.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/distance_field.h>
+#include <pcl_cid/core/execution.h>
+#include <pcl_cid/pcl_cid_export.h>
+
+#include <cstddef>
+#include <vector>
+
+#include <pcl/types.h>
+
+namespace pcl_cid {
+
+/** \brief Seeds, and the seed that each point belongs to.
+ *
+ *  The seeds are in the order in which they were chosen, and nested: the first k of
+ * them are what k seeds would have been. */
+struct SeedProposal {
+  /** Index of each seed among the points. */
+  pcl::Indices seeds;
+  /** Number (0, 1, ...) of the seed with the smallest CID_p to each point; -1 for a
+   * point that was not grouped. At equal CID the earlier seed keeps the point. */
+  std::vector<pcl::index_t> group;
+  /** CID_p of each point to that seed, metres; NaN for a point that was not grouped. */
+  std::vector<float> cid;
+  /** r_k for each seed: the largest entry of `cid` once that seed was taken in. Never
+   *  grows; the last one is a guarantee: every point is within it of its seed. */
+  std::vector<float> coverage;
+};
+
+/** \brief When the traversal of Algorithm 1 stops, and what it works on. */
+struct SeedProposalOptions {
+  /** K: seeds in all, at least 1. */
+  std::size_t seeds = 100;
+  /** Stop as soon as r_k is at most this, metres; 0 or more. */
+  float coverage = 0.0f;
+  /** M: samples on a segment, min_samples to max_samples. */
+  int samples = 100;
+  /** Points that may become seeds, indices among the points; empty means all. */
+  pcl::Indices candidates;
+  ExecutionOptions execution;
+};
+
+/** \brief Algorithm 1 (seed-point proposal by CID-FPS) with point grouping as its
+ *  by-product, from a given start.
+ *
+ *  Again and again the candidate with the largest CID to its seed becomes the next
+ * seed; at equal CID the one of lowest index. Exactly K seeds, fewer when `coverage` is
+ * reached or when no candidate is left whose CID a seed of its own would lower (a
+ * duplicate of a seed never becomes one). The N x K matrix of the paper is never
+ * stored: O(N) memory. \param[in] field the surface S \param[in] points the points to
+ * be grouped, in the frame of the surface; not empty \param[in] start index of the
+ * first seed \param[in] options when to stop \throws CIDException for a setting out of
+ * its range, CIDCancelled \note Cost: K N CID evaluations, nearly all given up after
+ * one or two samples. Same result for every number of threads. */
+PCL_CID_EXPORT SeedProposal
+proposeSeeds(const DistanceField& field,
+             const Points& points,
+             pcl::index_t start,
+             const SeedProposalOptions& options);
+
+/** \brief Point grouping by seeds that are given (section IV.A): each point goes to the
+ *  seed with the smallest CID_p, at equal CID to the earlier one.
+ *  \param[in] field the surface S
+ *  \param[in] points the points to be grouped, in the frame of the surface
+ *  \param[in] seeds indices among the points, at least 1
+ *  \param[in] samples M
+ *  \param[in] execution threads and progress
+ *  \throws CIDException for a setting out of its range, CIDCancelled */
+PCL_CID_EXPORT SeedProposal
+groupBySeeds(const DistanceField& field,
+             const Points& points,
+             const pcl::Indices& seeds,
+             int samples,
+             const ExecutionOptions& execution);
+
+/** \brief Go on with Algorithm 1 where a proposal ended, at the cost of the new seeds
+ * only: the result is that of one run with all of them. The seeds so far may be given
+ * ones (groupBySeeds) or proposed ones. \param[in,out] proposal unchanged when an
+ * exception is thrown \param[in] field,points,options as for proposeSeeds;
+ * options.seeds counts all seeds */
+PCL_CID_EXPORT void
+extendProposal(const DistanceField& field,
+               const Points& points,
+               const SeedProposalOptions& options,
+               SeedProposal& proposal);
+
+} // namespace pcl_cid

@@ -1,0 +1,167 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Points in, core call, indices out: parts and hulls.
+ */
+
+#pragma once
+
+#include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/impl/cid_base.hpp>
+
+#include <string>
+
+namespace pcl_cid {
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setNumberOfParts(int number_of_parts)
+{
+  if (number_of_parts < 1)
+    throw CIDException("the number of parts is " + std::to_string(number_of_parts) +
+                       "; it must be at least 1");
+  merge_cut_ = {MergeCut::Rule::parts, static_cast<std::size_t>(number_of_parts), 0.0};
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setMergeThreshold(double merge_threshold)
+{
+  if (!(merge_threshold >= 0.0))
+    throw CIDException("the merge threshold is " + std::to_string(merge_threshold) +
+                       "; it must be 0 metres or more");
+  merge_cut_ = {MergeCut::Rule::threshold, 0, merge_threshold};
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setNumberOfMerges(int number_of_merges)
+{
+  if (number_of_merges < 0)
+    throw CIDException("the number of merges is " + std::to_string(number_of_merges) +
+                       "; it must be 0 or more");
+  merge_cut_ = {
+      MergeCut::Rule::merges, static_cast<std::size_t>(number_of_merges), 0.0};
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setGroupSampleSize(int group_sample_size)
+{
+  if (group_sample_size < 1)
+    throw CIDException("the group sample size is " + std::to_string(group_sample_size) +
+                       "; it must be at least 1");
+  group_sample_size_ = group_sample_size;
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setMinThickness(double min_thickness)
+{
+  if (!(min_thickness > 0.0) || min_thickness > 1e15)
+    throw CIDException("the minimum thickness is " + std::to_string(min_thickness) +
+                       "; it must be a number of metres above 0");
+  hull_options_.min_thickness = min_thickness;
+}
+
+template <typename PointT>
+std::vector<int>
+CIDConvexAbstraction<PointT>::decompose(double until)
+{
+  proposal_ = SeedProposal();
+  merge_tree_ = MergeTree();
+  const Preparation ready = this->prepareCompute({});
+  const WorkingSet& working = *ready.working;
+  const SeedProposal proposal =
+      propose(ready, *this, this->execution(0.0, 0.5 * until), "CIDConvexAbstraction");
+  GroupMergingOptions options;
+  options.group_samples = static_cast<std::size_t>(group_sample_size_);
+  options.samples = this->getNumberOfSamples();
+  options.random_seed = this->getRandomSeed();
+  options.execution = this->execution(0.5 * until, until);
+  merge_tree_ = mergeGroups(working.field(),
+                            working.points(),
+                            proposal.group,
+                            proposal.seeds.size(),
+                            options);
+  proposal_ = working.carryOn(proposal, this->input_->size());
+  return merge_tree_.cut(merge_cut_);
+}
+
+template <typename PointT>
+std::vector<int>
+CIDConvexAbstraction<PointT>::partOfEachPoint(const std::vector<int>& cut) const
+{
+  if (cut.empty() || cut.size() != merge_tree_.numberOfGroups() ||
+      proposal_.group.size() != this->input_->size())
+    throw CIDException("the cut has " + std::to_string(cut.size()) +
+                       " groups; it must be one of the merge tree of this input, which "
+                       "has " +
+                       std::to_string(merge_tree_.numberOfGroups()));
+  std::vector<int> part(proposal_.group.size(), -1);
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (proposal_.group[i] >= 0)
+      part[i] = cut[static_cast<std::size_t>(proposal_.group[i])];
+  return part;
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::segment(std::vector<pcl::PointIndices>& parts)
+{
+  parts.clear();
+  const std::vector<int> part = partOfEachPoint(decompose(1.0));
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (part[i] < 0)
+      continue;
+    const auto number = static_cast<std::size_t>(part[i]);
+    if (parts.size() <= number)
+      parts.resize(number + 1);
+    parts[number].indices.push_back(static_cast<pcl::index_t>(i));
+  }
+  for (pcl::PointIndices& indices : parts)
+    indices.header = this->input_->header;
+  this->deinitCompute();
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::reconstruct(std::vector<ConvexPart>& parts)
+{
+  parts.clear();
+  const std::vector<int> cut = decompose(0.9);
+  parts = makeHulls(cut, this->execution(0.9, 1.0));
+  this->deinitCompute();
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::reconstruct(const std::vector<int>& cut,
+                                          std::vector<ConvexPart>& parts)
+{
+  parts.clear();
+  this->beginCompute();
+  parts = makeHulls(cut, this->execution(0.0, 1.0));
+  this->deinitCompute();
+}
+
+template <typename PointT>
+std::vector<ConvexPart>
+CIDConvexAbstraction<PointT>::makeHulls(const std::vector<int>& cut,
+                                        const ExecutionOptions& execution) const
+{
+  const std::vector<int> part_in_cloud = partOfEachPoint(cut);
+  const PointSet points = this->gatherPoints();
+  std::vector<int> part;
+  for (const pcl::index_t source : points.source)
+    part.push_back(part_in_cloud[static_cast<std::size_t>(source)]);
+  return makeConvexParts(points, part, hull_options_, execution);
+}
+
+} // namespace pcl_cid
+
+#define PCL_INSTANTIATE_CIDConvexAbstraction(T)                                        \
+  template class PCL_CID_EXPORT pcl_cid::CIDConvexAbstraction<T>;

@@ -1,0 +1,78 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Files that appear whole or not at all, all of a run or none.
+ */
+
+#pragma once
+
+#include <pcl_cid/exceptions.h>
+#include <pcl_cid/pcl_cid_io_export.h>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief The outputs of one run.
+ *
+ *  Each is written beside its place, under a name of its own, and renamed once all of
+ *  them are written; until then, and when anything fails, nothing appears and what was
+ *  there before stays.
+ *
+ *  \code
+ *  pcl_cid::OutputFiles outputs({"scan.pcd"});
+ *  outputs.announce("labels.pcd");
+ *  outputs.write("labels.pcd", [&](std::ostream& stream) { ... });
+ *  outputs.commit();
+ *  \endcode */
+class PCL_CID_IO_EXPORT OutputFiles {
+public:
+  /** \param[in] inputs files that must never be written over */
+  explicit OutputFiles(std::vector<std::string> inputs);
+
+  /** \brief Removes what was not committed. */
+  ~OutputFiles();
+
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles&
+  operator=(const OutputFiles&) = delete;
+
+  /** \brief Make sure, before long work, that this output can be written.
+   *  \throws CIDException when it is an input (under whatever name) or another output,
+   *  when its folder is missing or not writable, or when something that is not a file
+   *  has its name */
+  void
+  announce(const std::string& path);
+
+  /** \brief Write an output that was announced.
+   *  \param[in] writer its exceptions pass through
+   *  \throws CIDException when not all of it could be written */
+  void
+  write(const std::string& path, const std::function<void(std::ostream&)>& writer);
+
+  /** \brief Let all outputs appear. \throws CIDException when one cannot; then none
+   * stays, unless an older file that was replaced already is lost */
+  void
+  commit();
+
+private:
+  struct Output {
+    std::string path;    ///< as announced
+    std::string target;  ///< the file that it names, links resolved
+    std::string partial; ///< where it is written
+  };
+
+  Output&
+  find(const std::string& path);
+
+  std::vector<std::string> inputs_;
+  std::vector<Output> outputs_;
+};
+
+} // namespace pcl_cid

@@ -1,0 +1,113 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What a run did, as JSON.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/group_merging.h>
+#include <pcl_cid/core/seed_proposal.h>
+#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/pcl_cid_io_export.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief How well labels fit those that a cloud came with. */
+struct LabelScore {
+  /** Field of the cloud that holds the true labels. */
+  std::string field;
+  /** Finite points, and those of them whose label is right. */
+  std::size_t points = 0;
+  std::size_t right = 0;
+  /** The same for points whose true label is not 0. */
+  std::size_t labelled_points = 0;
+  std::size_t right_labelled = 0;
+
+  /** \brief Share of the points whose label is right; 0 when there are none. */
+  double
+  share() const
+  {
+    return points == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(points);
+  }
+
+  /** \brief Share of the points with a true label that is not 0 whose label is right.
+   */
+  double
+  shareOfLabelled() const
+  {
+    return labelled_points == 0 ? 0.0
+                                : static_cast<double>(right_labelled) /
+                                      static_cast<double>(labelled_points);
+  }
+};
+
+/** \brief Compare labels with the true ones over the finite points. */
+PCL_CID_IO_EXPORT LabelScore
+scoreLabels(const std::string& field,
+            const std::vector<std::uint32_t>& labels,
+            const std::vector<std::uint32_t>& truth,
+            const CloudPoints& points);
+
+/** \brief What a run did; what does not apply stays empty. */
+struct Report {
+  /** A parameter as it was used; no value means "none". */
+  struct Parameter {
+    std::string name;
+    std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>
+        value;
+  };
+  struct Step {
+    std::string name;
+    double seconds;
+  };
+
+  std::string tool;
+  std::string input;
+  std::vector<Parameter> parameters;
+  /** Points of the input, those of them that are finite, and those in a group. */
+  std::size_t points_in = 0;
+  std::size_t points_finite = 0;
+  std::size_t points_grouped = 0;
+  /** Indices of the seeds in the input, and r_k for each (see SeedProposal). */
+  pcl::Indices seeds;
+  std::vector<float> coverage;
+  /** Coordinates of the seeds in the frame of the file. */
+  std::vector<Eigen::Vector3d> seed_positions;
+  /** Labels of the seeds where they have any. */
+  std::vector<std::uint32_t> seed_labels;
+  /** Points of each group. */
+  std::vector<std::size_t> group_sizes;
+  std::optional<LabelScore> score;
+  /** Parts; not copied, may be null. */
+  const std::vector<ConvexPart>* parts = nullptr;
+  std::vector<Step> steps;
+};
+
+/** \brief Take over what a proposal says: seeds, coverage, groups. */
+PCL_CID_IO_EXPORT void
+describeProposal(const SeedProposal& proposal,
+                 const CloudPoints& points,
+                 Report& report);
+
+/** \brief The report with the library's version and the peak memory of this process so
+ * far, as JSON. */
+PCL_CID_IO_EXPORT std::string
+toJson(const Report& report);
+
+/** \brief A merge tree as JSON: `group_sizes`, and `steps` with `first`, `second`,
+ * `height` (metres) and `size` (points). */
+PCL_CID_IO_EXPORT std::string
+toJson(const MergeTree& tree);
+
+} // namespace pcl_cid

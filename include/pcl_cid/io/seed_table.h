@@ -1,0 +1,58 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The table in which an annotator labels seeds.
+ */
+
+#pragma once
+
+#include <pcl_cid/io/labelled_cloud.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <pcl/types.h>
+
+namespace pcl_cid {
+
+/** \brief Seeds with their labels; see CIDLabelPropagation::setSeeds(). */
+struct SeedTable {
+  /** Indices of points. */
+  pcl::Indices seeds;
+  /** One for each seed; 0 means "asked, and it is none". */
+  std::vector<std::uint32_t> labels;
+};
+
+/** \brief Write a table for an annotator: columns `index,x,y,z,label`, a row for each
+ * seed in order, the labels empty.
+ *  \param[in] points coordinates that the seeds are indices of; written with the offset
+ *  added, with as many digits as they have */
+PCL_CID_IO_EXPORT void
+writeSeedTable(std::ostream& stream,
+               const pcl::Indices& seeds,
+               const CloudPoints& points);
+
+/** \brief Read a table that an annotator has filled in.
+ *
+ *  Comma-separated, with a header that names at least `index` and `label`, in any
+ *  order; more columns are passed over. Rows may be removed, added and reordered.
+ *  An empty label means "not asked": the row is no seed. Label 0 means "asked, and it
+ * is none". Blank lines, spaces, CRLF and a byte order mark are fine. Coordinates may
+ * be empty; where they are given, they must be those of the point, to within 1/1000 of
+ * the cloud's diagonal: else the table belongs to another cloud. \throws CIDException
+ * with file, line and value when a column is missing, an index is no finite point or
+ * stands twice with two labels, a label or an index is not a whole number (0 to
+ * 4294967295), or coordinates differ; and when there is no label at all */
+PCL_CID_IO_EXPORT SeedTable
+readSeedTable(const std::string& path, const CloudPoints& points);
+
+/** \brief Whether a file is a seed table in which at least one label is filled in. */
+PCL_CID_IO_EXPORT bool
+holdsLabels(const std::string& path);
+
+} // namespace pcl_cid

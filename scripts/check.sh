@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# pcl_cid: Concavity-Induced Distance for point clouds
+# Copyright (c) 2026, pcl_cid contributors
+#
+# Everything that has to be right before a change lands. Build folders: build/<preset>
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+
+# test_preset NAME: run the tests of a preset; the output is kept for the summary.
+test_preset() {
+  run ctest --preset "$1" --parallel "$(nproc)" | tee "build/$1/ctest.log"
+}
+
+# colcon_package: what a robotics workspace does with package.xml; static libraries
+# here, so that both kinds are consumed (the shared ones by the test `package`).
+colcon_package() {
+  local workspace=$PWD/build/colcon
+  mkdir -p "$workspace"
+  run colcon --log-base "$workspace/log" build \
+    --paths . --build-base "$workspace/build" --install-base "$workspace/install" \
+    --event-handlers console_direct- \
+    --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF
+  run cmake -DPREFIX="$workspace/install/pcl_cid" -DWORK_DIR="$workspace/consumer" \
+    -P test/consumer/run.cmake
+}
+
+step "Debian packages"
+install_packages demo check
+
+step "Format"
+find include src tools test doc -name '*.h' -o -name '*.hpp' -o -name '*.cpp' |
+  xargs clang-format --dry-run --Werror
+echo "All files are formatted."
+
+step "Tests, warnings as errors"
+build_preset dev
+test_preset dev
+
+step "Tests under AddressSanitizer and UndefinedBehaviorSanitizer"
+build_preset asan
+test_preset asan
+
+step "Threaded tests under ThreadSanitizer"
+build_preset tsan
+test_preset tsan
+
+step "colcon build, and a project that uses the static libraries"
+colcon_package
+
+step "Summary"
+for preset in tsan asan dev; do
+  echo "$preset: $(grep 'tests passed' "build/$preset/ctest.log")"
+done

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# pcl_cid: Concavity-Induced Distance for point clouds
+# Copyright (c) 2026, pcl_cid contributors
+#
+# What demo.sh and check.sh share; sourced by them, from the project's folder.
+
+# step TEXT: a headline.
+step() {
+  printf '\n== %s\n' "$*"
+}
+
+# run COMMAND ...: print a command, then run it.
+run() {
+  printf '$'
+  printf ' %q' "$@"
+  printf '\n'
+  "$@"
+}
+
+# listed_packages USE ...: the packages of scripts/packages.txt for the given uses.
+listed_packages() {
+  local use
+  for use in "$@"; do
+    awk -v use="$use" '$1 !~ /^#/ && $2 == use {print $1}' scripts/packages.txt
+  done
+}
+
+# install_packages USE ...: install what is missing; without network when nothing is.
+install_packages() {
+  local package missing=() as_root=()
+  for package in $(listed_packages "$@"); do
+    dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null |
+      grep -q '^install ok installed$' || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    echo "All Debian packages are there."
+    return
+  fi
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  export DEBIAN_FRONTEND=noninteractive
+  run "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=600 -qq update
+  run "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 -qq \
+    install --yes --no-install-recommends "${missing[@]}"
+}
+
+# build_preset NAME: configure and build one preset of CMakePresets.json.
+build_preset() {
+  run cmake --preset "$1"
+  run cmake --build --preset "$1" --parallel "$(nproc)"
+}

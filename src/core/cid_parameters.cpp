@@ -1,0 +1,63 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The settings that do not depend on the point type.
+ */
+
+#include "validation.h"
+
+#include <pcl_cid/core/cid_parameters.h>
+
+namespace pcl_cid {
+
+void
+CIDParameters::setNumberOfSeeds(int number_of_seeds)
+{
+  requireAtLeast("number of seeds", number_of_seeds, 1);
+  number_of_seeds_ = number_of_seeds;
+}
+
+void
+CIDParameters::setCoverage(float coverage)
+{
+  requireNotNegative("coverage", coverage, "metres");
+  coverage_ = coverage;
+}
+
+void
+CIDParameters::setNumberOfSamples(int number_of_samples)
+{
+  requireSamples(number_of_samples);
+  number_of_samples_ = number_of_samples;
+}
+
+void
+CIDParameters::setSubsample(int subsample)
+{
+  requireAtLeast("subsample", subsample, 0);
+  subsample_ = subsample;
+}
+
+void
+CIDParameters::setStartIndex(pcl::index_t start_index)
+{
+  requireAtLeast("start index", start_index, pcl::index_t{0});
+  start_index_ = start_index;
+}
+
+ExecutionOptions
+CIDParameters::execution(double begin, double end) const
+{
+  ExecutionOptions options;
+  options.threads = number_of_threads_;
+  if (progress_)
+    options.progress = [callback = progress_, begin, end](double fraction) {
+      return callback(begin + (end - begin) * fraction);
+    };
+  return options;
+}
+
+} // namespace pcl_cid

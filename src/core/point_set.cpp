@@ -1,0 +1,86 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The finite points of a cloud about a local origin.
+ */
+
+#include <pcl_cid/core/point_set.h>
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace pcl_cid {
+namespace {
+
+void
+dropNotFinite(Points& points, pcl::Indices& source)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite())
+      continue;
+    points[kept] = points[i];
+    source[kept] = source[i];
+    ++kept;
+  }
+  points.resize(kept);
+  source.resize(kept);
+}
+
+/** The centre of the bounding box, rounded to multiples of the smallest power of two
+ *  that is no smaller than the box, or 0 when the centre is within two of them: farther
+ *  out, every coordinate is larger than its difference to the origin, so that float
+ *  holds the difference exactly. */
+Eigen::Vector3d
+localOrigin(const Points& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : points)
+    box.extend(p.cast<double>().eval());
+  if (box.isEmpty())
+    return Eigen::Vector3d::Zero();
+  const double size = box.sizes().maxCoeff();
+  if (size == 0.0)
+    return box.min();
+  const double unit = std::exp2(std::ceil(std::log2(size)));
+  return box.center().unaryExpr([unit](double centre) {
+    return std::abs(centre) < 2.0 * unit ? 0.0 : std::round(centre / unit) * unit;
+  });
+}
+
+void
+subtract(const Eigen::Vector3d& origin, Points& points)
+{
+  if (origin.isZero(0.0))
+    return;
+  for (Eigen::Vector3f& p : points)
+    p = (p.cast<double>() - origin).cast<float>();
+}
+
+} // namespace
+
+PointSet::PointSet(Points coordinates, pcl::Indices source_indices)
+: points(std::move(coordinates)), source(std::move(source_indices))
+{
+  dropNotFinite(points, source);
+  origin = localOrigin(points);
+  subtract(origin, points);
+}
+
+PointSet::PointSet(Points coordinates,
+                   pcl::Indices source_indices,
+                   const Eigen::Vector3d& given_origin)
+: origin(given_origin)
+, points(std::move(coordinates))
+, source(std::move(source_indices))
+{
+  dropNotFinite(points, source);
+  subtract(origin, points);
+}
+
+} // namespace pcl_cid

@@ -1,0 +1,159 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * From a cloud's points and the settings to the run of Algorithm 1.
+ */
+
+#include "validation.h"
+
+#include <pcl_cid/core/preparation.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <pcl/console/print.h>
+
+namespace pcl_cid {
+namespace {
+
+/** Squared distances must stay far from the end of float. */
+constexpr float largest_coordinate = 1e15f;
+
+void
+requireModerate(const Points& points)
+{
+  for (const Eigen::Vector3f& p : points)
+    if (p.cwiseAbs().maxCoeff() > largest_coordinate)
+      throw CIDException(sentence("a coordinate is ",
+                                  p.cwiseAbs().maxCoeff(),
+                                  " from the middle of the cloud; it must be within ",
+                                  largest_coordinate));
+}
+
+/** Position of a point of the input cloud, -1 when it is not among the points. */
+pcl::index_t
+positionOf(const PointSet& points, pcl::index_t cloud_index)
+{
+  const auto found =
+      std::lower_bound(points.source.begin(), points.source.end(), cloud_index);
+  if (found == points.source.end() || *found != cloud_index)
+    return -1;
+  return static_cast<pcl::index_t>(found - points.source.begin());
+}
+
+pcl::index_t
+requirePosition(const PointSet& points, pcl::index_t cloud_index, const char* name)
+{
+  const pcl::index_t position = positionOf(points, cloud_index);
+  if (position < 0)
+    throw CIDException(sentence("the ",
+                                name,
+                                " is point ",
+                                cloud_index,
+                                "; it must be a finite, selected point of the input"));
+  return position;
+}
+
+pcl::Indices
+candidatePositions(const PointSet& points, const CIDParameters& parameters)
+{
+  pcl::Indices positions;
+  if (!parameters.getSeedCandidates())
+    return positions;
+  for (const pcl::index_t candidate : *parameters.getSeedCandidates())
+    if (const pcl::index_t position = positionOf(points, candidate); position >= 0)
+      positions.push_back(position);
+  if (positions.empty())
+    throw CIDException("none of the seed candidates is a finite, selected point of the "
+                       "input; at least 1 must be");
+  return positions;
+}
+
+/** "randomly pick a point p*", or the one that the user wants. */
+pcl::index_t
+startPosition(const PointSet& points,
+              const pcl::Indices& candidates,
+              const CIDParameters& parameters,
+              RandomGenerator& generator)
+{
+  if (parameters.getStartIndex())
+    return requirePosition(points, *parameters.getStartIndex(), "start index");
+  if (candidates.empty())
+    return static_cast<pcl::index_t>(drawBelow(generator, points.size()));
+  return candidates[drawBelow(generator, candidates.size())];
+}
+
+} // namespace
+
+Preparation
+prepare(PointSet points,
+        const Points& surface,
+        const pcl::Indices& given_seeds,
+        const CIDParameters& parameters,
+        const ExecutionOptions& execution)
+{
+  requirePoints(points.points);
+  requireModerate(points.points);
+  requireModerate(surface);
+  RandomGenerator generator(parameters.getRandomSeed());
+  const pcl::Indices candidates = candidatePositions(points, parameters);
+  pcl::Indices seeds;
+  for (const pcl::index_t seed : given_seeds)
+    seeds.push_back(requirePosition(points, seed, "seed"));
+  if (given_seeds.empty())
+    seeds.push_back(startPosition(points, candidates, parameters, generator));
+
+  Preparation ready;
+  ready.working =
+      std::make_unique<WorkingSet>(std::move(points),
+                                   surface,
+                                   parameters.getSearchMethod(),
+                                   static_cast<std::size_t>(parameters.getSubsample()),
+                                   seeds,
+                                   generator,
+                                   execution);
+  for (const pcl::index_t seed : seeds)
+    ready.seeds.push_back(ready.working->indexOf(seed));
+  for (const pcl::index_t candidate : candidates)
+    if (const pcl::index_t drawn = ready.working->indexOf(candidate); drawn >= 0)
+      ready.candidates.push_back(drawn);
+  if (!candidates.empty() && ready.candidates.empty())
+    ready.candidates = ready.seeds; // none was drawn: the start stands alone
+  return ready;
+}
+
+SeedProposal
+propose(const Preparation& preparation,
+        const CIDParameters& parameters,
+        const ExecutionOptions& execution,
+        const char* caller)
+{
+  SeedProposalOptions options;
+  options.seeds = static_cast<std::size_t>(parameters.getNumberOfSeeds());
+  options.coverage = parameters.getCoverage();
+  options.samples = parameters.getNumberOfSamples();
+  options.candidates = preparation.candidates;
+  options.execution = execution;
+  const WorkingSet& working = *preparation.working;
+  SeedProposal proposal = proposeSeeds(
+      working.field(), working.points(), preparation.seeds.front(), options);
+  const bool covered = proposal.coverage.back() <= options.coverage;
+  if (proposal.seeds.size() < options.seeds && !(covered && options.coverage > 0.0f))
+    PCL_WARN("[pcl_cid::%s] only %zu seeds instead of %zu: no other candidate is apart "
+             "from them\n",
+             caller,
+             proposal.seeds.size(),
+             options.seeds);
+  if (options.coverage > 0.0f && !covered)
+    PCL_WARN("[pcl_cid::%s] coverage is %g instead of %g metres after %zu seeds\n",
+             caller,
+             static_cast<double>(proposal.coverage.back()),
+             static_cast<double>(options.coverage),
+             proposal.seeds.size());
+  return proposal;
+}
+
+} // namespace pcl_cid

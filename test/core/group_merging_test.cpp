@@ -1,0 +1,242 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Algorithm 2 against the oracle, and the cuts of its tree.
+ */
+
+#include "clouds.h"
+#include "oracle.h"
+
+#include <pcl_cid/core/group_merging.h>
+#include <pcl_cid/core/seed_proposal.h>
+#include <pcl_cid/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace pcl_cid::test {
+namespace {
+
+constexpr int samples = 20;
+
+SeedProposal
+groupsOf(const Points& points, std::size_t groups)
+{
+  SeedProposalOptions options;
+  options.seeds = groups;
+  options.samples = samples;
+  return proposeSeeds(DistanceField(points), points, 0, options);
+}
+
+MergeTree
+treeOf(const Points& points, const SeedProposal& proposal, GroupMergingOptions options)
+{
+  options.samples = samples;
+  return mergeGroups(
+      DistanceField(points), points, proposal.group, proposal.seeds.size(), options);
+}
+
+GroupMergingOptions
+exact()
+{
+  GroupMergingOptions options;
+  options.group_samples = 1u << 20; // every group enters whole
+  return options;
+}
+
+int
+partsOf(const std::vector<int>& cut)
+{
+  return cut.empty() ? 0 : 1 + *std::max_element(cut.begin(), cut.end());
+}
+
+void
+expectSame(const MergeTree& a, const MergeTree& b)
+{
+  ASSERT_EQ(a.steps().size(), b.steps().size());
+  EXPECT_EQ(a.groupSizes(), b.groupSizes());
+  for (std::size_t n = 0; n < a.steps().size(); ++n) {
+    EXPECT_EQ(a.steps()[n].first, b.steps()[n].first);
+    EXPECT_EQ(a.steps()[n].second, b.steps()[n].second);
+    EXPECT_EQ(a.steps()[n].height, b.steps()[n].height);
+    EXPECT_EQ(a.steps()[n].size, b.steps()[n].size);
+  }
+}
+
+class MergingOfClouds : public testing::TestWithParam<NamedPoints> {
+protected:
+  const Points points_{
+      GetParam().points.begin(),
+      GetParam().points.begin() +
+          std::min<std::ptrdiff_t>(
+              70, static_cast<std::ptrdiff_t>(GetParam().points.size()))};
+  const SeedProposal proposal_ = groupsOf(points_, 7);
+};
+
+TEST_P(MergingOfClouds, AgreesWithTheOracleThatComputesEveryGroupCIDAnew)
+{
+  expectAgreesWithAlgorithm2(
+      treeOf(points_, proposal_, exact()), points_, points_, proposal_.group, samples);
+}
+
+TEST_P(MergingOfClouds, HeightsNeverFallAndSizesAddUp)
+{
+  for (const GroupMergingOptions& options : {exact(), GroupMergingOptions()}) {
+    const MergeTree tree = treeOf(points_, proposal_, options);
+    const double rounding = agreementTolerance(points_);
+    for (std::size_t n = 1; n < tree.steps().size(); ++n)
+      EXPECT_GE(tree.steps()[n].height, tree.steps()[n - 1].height - rounding);
+    if (!tree.steps().empty()) {
+      EXPECT_EQ(tree.steps().back().size, points_.size());
+    }
+  }
+}
+
+TEST_P(MergingOfClouds, SameBytesForEveryNumberOfThreads)
+{
+  GroupMergingOptions options;
+  options.execution.threads = 1;
+  const MergeTree serial = treeOf(points_, proposal_, options);
+  for (const unsigned int threads : {2u, 3u, 8u}) {
+    options.execution.threads = threads;
+    expectSame(treeOf(points_, proposal_, options), serial);
+  }
+}
+
+TEST_P(MergingOfClouds, CutsAgreeWithEachOther)
+{
+  const MergeTree tree = treeOf(points_, proposal_, exact());
+  const int groups = static_cast<int>(tree.numberOfGroups());
+  for (int merges = 0; merges < groups; ++merges) {
+    const std::vector<int> cut = tree.cutAfterMerges(static_cast<std::size_t>(merges));
+    EXPECT_EQ(partsOf(cut), groups - merges);
+    EXPECT_EQ(cut, tree.cutAtParts(static_cast<std::size_t>(groups - merges)));
+    EXPECT_EQ(cut, tree.cut({MergeCut::Rule::merges, std::size_t(merges), 0.0}));
+    int seen = -1; // numbered by the lowest group
+    for (const int part : cut) {
+      EXPECT_LE(part, seen + 1);
+      seen = std::max(seen, part);
+    }
+  }
+  for (const MergeStep& step : tree.steps()) {
+    const std::vector<int> cut = tree.cutAtHeight(step.height);
+    EXPECT_EQ(cut[static_cast<std::size_t>(step.first)],
+              cut[static_cast<std::size_t>(step.second)]);
+  }
+  EXPECT_EQ(tree.cutAfterMerges(1000), tree.cutAtParts(1));
+  EXPECT_EQ(partsOf(tree.cutAtParts(1000)), groups);
+  EXPECT_EQ(tree.cutAtHeight(1e9), tree.cutAtParts(1));
+}
+
+std::vector<NamedPoints>
+allClouds()
+{
+  std::vector<NamedPoints> clouds = randomClouds();
+  for (const NamedPoints& cloud : degenerateClouds())
+    clouds.push_back(cloud);
+  return clouds;
+}
+
+INSTANTIATE_TEST_SUITE_P(Clouds,
+                         MergingOfClouds,
+                         testing::ValuesIn(allClouds()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(GroupMerging, AgreesWithTheOracleOnCropsOfRealScans)
+{
+  for (const char* name : {"office1.pcd", "milk_cartoon_all_small_clorox.pcd"}) {
+    const auto scan = loadSharedScan(name);
+    if (!scan)
+      GTEST_SKIP() << "../shared/data/" << name << " is absent";
+    const Points points = crop(*scan, 100, 211);
+    const SeedProposal proposal = groupsOf(points, 8);
+    expectAgreesWithAlgorithm2(
+        treeOf(points, proposal, exact()), points, points, proposal.group, samples);
+  }
+}
+
+TEST(GroupMerging, TwoObjectsAreTheLastToMerge)
+{
+  const Points points = twoBoxes(400, 41);
+  const SeedProposal proposal = groupsOf(points, 14);
+  const MergeTree tree = treeOf(points, proposal, GroupMergingOptions());
+  const std::vector<int> cut = tree.cutAtParts(2);
+  std::set<int> parts_of_box[2];
+  for (std::size_t i = 0; i < points.size(); ++i)
+    parts_of_box[i % 2].insert(cut[static_cast<std::size_t>(proposal.group[i])]);
+  EXPECT_EQ(parts_of_box[0].size(), 1u);
+  EXPECT_EQ(parts_of_box[1].size(), 1u);
+  EXPECT_NE(parts_of_box[0], parts_of_box[1]);
+}
+
+TEST(GroupMerging, EqualHeightsMergeTheLowestPairFirst)
+{
+  // Four single points at the corners of a square: all sides are equal.
+  const Points square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  GroupMergingOptions options;
+  options.samples = 101;
+  const MergeTree tree =
+      mergeGroups(DistanceField(square), square, {0, 1, 2, 3}, 4, options);
+  EXPECT_EQ(tree.steps()[0].first, 0);
+  EXPECT_EQ(tree.steps()[0].second, 1);
+  EXPECT_EQ(tree.steps()[1].first, 2);
+  EXPECT_EQ(tree.steps()[1].second, 3);
+}
+
+TEST(GroupMerging, UngroupedPointsStayOut)
+{
+  const Points points = randomCube(30, 42);
+  std::vector<pcl::index_t> group(30, -1);
+  for (std::size_t i = 0; i < 20; ++i)
+    group[i] = static_cast<pcl::index_t>(i % 2);
+  const MergeTree tree =
+      mergeGroups(DistanceField(points), points, group, 2, GroupMergingOptions());
+  EXPECT_EQ(tree.groupSizes(), (std::vector<std::size_t>{10, 10}));
+  EXPECT_EQ(tree.steps().back().size, 20u);
+}
+
+TEST(GroupMerging, SampledGroupCIDIsNearTheExactOne)
+{
+  const Points points = twoBoxes(600, 43);
+  const SeedProposal proposal = groupsOf(points, 6);
+  const MergeTree sampled = treeOf(points, proposal, GroupMergingOptions());
+  const MergeTree whole = treeOf(points, proposal, exact());
+  EXPECT_NEAR(sampled.steps().back().height,
+              whole.steps().back().height,
+              0.1 * whole.steps().back().height);
+}
+
+TEST(GroupMerging, CancelAndBadValues)
+{
+  const Points points = twoBoxes(200, 44);
+  const SeedProposal proposal = groupsOf(points, 10);
+  GroupMergingOptions options;
+  options.execution.progress = [](double) { return false; };
+  EXPECT_THROW(treeOf(points, proposal, options), CIDCancelled);
+
+  const DistanceField field(points);
+  options = {};
+  EXPECT_THROW(mergeGroups(field, points, proposal.group, 11, options), CIDException)
+      << "group 10 is empty";
+  EXPECT_THROW(mergeGroups(field, points, proposal.group, 9, options), CIDException)
+      << "group 9 is out of range";
+  options.group_samples = 0;
+  EXPECT_THROW(mergeGroups(field, points, proposal.group, 10, options), CIDException);
+  options = {};
+  options.samples = 1;
+  EXPECT_THROW(mergeGroups(field, points, proposal.group, 10, options), CIDException);
+
+  const MergeTree tree = treeOf(points, proposal, {});
+  EXPECT_THROW(tree.cutAtParts(0), CIDException);
+  EXPECT_THROW(tree.cutAtHeight(-0.1), CIDException);
+  EXPECT_THROW(tree.cutAtHeight(NAN), CIDException);
+}
+
+} // namespace
+} // namespace pcl_cid::test

@@ -1,0 +1,196 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The sample scan that comes with the project: data/room.pcd and its truth.
+ */
+
+#include "sample_scan.h"
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/io/pcd_io.h>
+
+#include <nlohmann/json.hpp>
+
+#include <pcl_cid/exceptions.h>
+
+#include "depth_sensor.h"
+
+namespace pcl_cid::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One point of room.pcd, as it lies in the file.
+struct FilePoint {
+  float x;
+  float y;
+  float z;
+  std::uint32_t label;
+  std::uint32_t semantic;
+};
+
+RoomOptions
+sampleRoomOptions()
+{
+  RoomOptions options;
+  options.seed = 7;
+  return options;
+}
+
+SensorOptions
+sampleSensorOptions()
+{
+  SensorOptions options;
+  options.seed = 7;
+  options.points = 140000;
+  options.positions = 4;
+  return options;
+}
+
+pcl::PCLPointField
+makeField(const std::string& name, std::uint32_t offset, std::uint8_t datatype)
+{
+  pcl::PCLPointField field;
+  field.name = name;
+  field.offset = offset;
+  field.datatype = datatype;
+  field.count = 1;
+  return field;
+}
+
+pcl::PCLPointCloud2
+makeCloud(const LabelledScan& scan)
+{
+  using Field = pcl::PCLPointField;
+  pcl::PCLPointCloud2 cloud;
+  cloud.fields = {makeField("x", offsetof(FilePoint, x), Field::FLOAT32),
+                  makeField("y", offsetof(FilePoint, y), Field::FLOAT32),
+                  makeField("z", offsetof(FilePoint, z), Field::FLOAT32),
+                  makeField("label", offsetof(FilePoint, label), Field::UINT32),
+                  makeField("semantic", offsetof(FilePoint, semantic), Field::UINT32)};
+  cloud.height = 1;
+  cloud.width = static_cast<std::uint32_t>(scan.points.size());
+  cloud.point_step = sizeof(FilePoint);
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.is_dense = 1;
+  cloud.data.resize(cloud.row_step);
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Eigen::Vector3f& p = scan.points[i];
+    const FilePoint point{p.x(), p.y(), p.z(), scan.instance[i], scan.semantic[i]};
+    std::memcpy(&cloud.data[i * sizeof(FilePoint)], &point, sizeof(FilePoint));
+  }
+  return cloud;
+}
+
+Json
+describe(const Range& range)
+{
+  return {range.low, range.high};
+}
+
+Json
+describe(const RoomOptions& options)
+{
+  return {{"seed", options.seed},
+          {"width", describe(options.width)},
+          {"depth", describe(options.depth)},
+          {"height", describe(options.height)},
+          {"doors", options.doors},
+          {"windows", options.windows},
+          {"beams", options.beams},
+          {"columns", options.columns},
+          {"bookcases", options.bookcases},
+          {"boards", options.boards},
+          {"sofas", options.sofas},
+          {"tables", options.tables},
+          {"chairs", options.chairs},
+          {"clutter", options.clutter}};
+}
+
+Json
+describe(const SensorOptions& options)
+{
+  return {{"seed", options.seed},
+          {"points", options.points},
+          {"positions", options.positions},
+          {"height", describe(options.height)},
+          {"max_elevation_sine", options.max_elevation_sine},
+          {"noise", options.noise},
+          {"range", describe(options.range)},
+          {"min_incidence_cosine", options.min_incidence_cosine}};
+}
+
+Json
+describeInstances(const RoomScene& scene, const LabelledScan& scan)
+{
+  std::vector<std::size_t> sizes(scene.class_of_instance.size(), 0);
+  for (const std::uint32_t instance : scan.instance)
+    ++sizes[instance];
+  Json instances = Json::array();
+  for (std::size_t i = 1; i < sizes.size(); ++i) {
+    const auto semantic = static_cast<std::size_t>(scene.class_of_instance[i]);
+    instances.push_back({{"label", i},
+                         {"semantic", semantic},
+                         {"class", scan.class_names[semantic]},
+                         {"points", sizes[i]}});
+  }
+  return instances;
+}
+
+Json
+describe(const RoomScene& scene, const LabelledScan& scan)
+{
+  Json positions = Json::array();
+  for (const Eigen::Vector3d& p : scan.sensor_positions)
+    positions.push_back({p.x(), p.y(), p.z()});
+  return {{"cloud", "room.pcd"},
+          {"room_options", describe(sampleRoomOptions())},
+          {"sensor_options", describe(sampleSensorOptions())},
+          {"room_size", {scene.size.x(), scene.size.y(), scene.size.z()}},
+          {"sensor_positions", positions},
+          {"class_names", scan.class_names},
+          {"instances", describeInstances(scene, scan)}};
+}
+
+/// To a string first: PCL's writer to files pads them to the machine's page size.
+std::string
+compress(const pcl::PCLPointCloud2& cloud)
+{
+  std::ostringstream stream(std::ios::binary);
+  if (pcl::PCDWriter().writeBinaryCompressed(stream, cloud) != 0)
+    throw CIDException("PCL could not compress the sample scan; allowed are clouds "
+                       "below 4 GB");
+  return stream.str();
+}
+
+void
+writeFile(const std::string& path, const std::string& bytes)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << bytes;
+  file.close();
+  if (!file)
+    throw CIDException("cannot write " + path +
+                       "; allowed is a file in an existing, writable folder");
+}
+
+} // namespace
+
+void
+writeSampleScan(const std::string& folder)
+{
+  const RoomScene scene = makeRoom(sampleRoomOptions());
+  const LabelledScan scan = scanRoom(scene, sampleSensorOptions());
+  writeFile(folder + "/room.pcd", compress(makeCloud(scan)));
+  writeFile(folder + "/room_truth.json", describe(scene, scan).dump(2) + "\n");
+}
+
+} // namespace pcl_cid::test

@@ -1,0 +1,369 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * pcl_cid_segment: every point and field stays, labels are right.
+ */
+
+#include "tool_process.h"
+
+#include <pcl_cid/cid_label_propagation.h>
+
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_cid::test {
+namespace {
+
+using Labels = std::vector<std::uint32_t>;
+
+class SegmentTool : public ToolTest {
+protected:
+  static Labels
+  labelsIn(const std::string& path)
+  {
+    return valuesOf<std::uint32_t>(readCloud(path).fields, "label");
+  }
+
+  nlohmann::json
+  report() const
+  {
+    return nlohmann::json::parse(readText(file("report.json")));
+  }
+};
+
+TEST_F(SegmentTool, KeepsEveryPointFieldShapeAndPose)
+{
+  const std::string bytes = readText(scan_);
+  const auto modified = std::filesystem::last_write_time(scan_);
+  segment({scan_, file("out.pcd")});
+  EXPECT_EQ(readText(scan_), bytes);
+  EXPECT_EQ(std::filesystem::last_write_time(scan_), modified);
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"out.pcd", "scan.pcd"}));
+
+  const LoadedByPCL before = loadWithPCL(scan_);
+  const LoadedByPCL after = loadWithPCL(file("out.pcd"));
+  EXPECT_EQ(after.cloud.width, 40u);
+  EXPECT_EQ(after.cloud.height, 30u);
+  EXPECT_EQ(after.origin, before.origin);
+  EXPECT_EQ(after.orientation.coeffs(), before.orientation.coeffs());
+  ASSERT_EQ(after.cloud.fields.size(), before.cloud.fields.size() + 1);
+  for (std::size_t i = 0; i < before.cloud.fields.size(); ++i) {
+    const std::string& name = before.cloud.fields[i].name;
+    EXPECT_EQ(after.cloud.fields[i].name, name);
+    EXPECT_EQ(bytesOf(after.cloud, name), bytesOf(before.cloud, name)) << name;
+  }
+  EXPECT_EQ(after.cloud.fields.back().name, "label");
+  EXPECT_EQ(after.cloud.fields.back().datatype, pcl::PCLPointField::UINT32);
+}
+
+TEST_F(SegmentTool, KeepsAnOrganisedScanOfACamera)
+{
+  const std::string scan = PCL_CID_SHARED_DIR "/data/office1.pcd";
+  if (!std::filesystem::exists(scan))
+    GTEST_SKIP() << scan << " is absent";
+  segment({scan, file("out.pcd"), "--subsample", "1000"});
+  const LoadedByPCL before = loadWithPCL(scan);
+  const LoadedByPCL after = loadWithPCL(file("out.pcd"));
+  EXPECT_EQ(after.cloud.width, 640u);
+  EXPECT_EQ(after.cloud.height, 480u);
+  EXPECT_EQ(after.orientation.coeffs(), before.orientation.coeffs());
+  for (const char* const name : {"x", "y", "z", "rgb"})
+    EXPECT_EQ(bytesOf(after.cloud, name), bytesOf(before.cloud, name)) << name;
+}
+
+TEST_F(SegmentTool, LabelsByGroupAsTheClassDoes)
+{
+  segment({scan_, file("out.pcd")});
+  const CloudPoints points = pointsOf(deskScan());
+  CIDLabelPropagation<pcl::PointXYZ> propagation;
+  propagation.setInputCloud(points.points);
+  propagation.setNumberOfSeeds(12);
+  Labels expected;
+  propagation.segment(expected);
+  const Labels labels = labelsIn(file("out.pcd"));
+  EXPECT_EQ(labels, expected);
+  const std::set<std::uint32_t> used(labels.begin(), labels.end());
+  EXPECT_EQ(used.size(), 13u); // 12 groups, and 0
+  EXPECT_EQ(*used.rbegin(), 12u);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    EXPECT_EQ(labels[i] == 0, deskLabels()[i] == 0) << i;
+}
+
+TEST_F(SegmentTool, GivesTheSameBytesForEveryNumberOfThreads)
+{
+  segment({scan_, file("1.pcd"), "--threads", "1", "--subsample", "800"});
+  for (const char* const threads : {"2", "3", "8"}) {
+    const std::string out = file(std::string(threads) + ".pcd");
+    segment({scan_, out, "--threads", threads, "--subsample", "800"});
+    EXPECT_EQ(readText(out), readText(file("1.pcd"))) << threads << " threads";
+  }
+}
+
+TEST_F(SegmentTool, DrawsBySeed)
+{
+  segment({scan_, file("a.pcd"), "--random-seed", "1", "--subsample", "300"});
+  segment({scan_, file("b.pcd"), "--random-seed", "1", "--subsample", "300"});
+  segment({scan_, file("c.pcd"), "--random-seed", "2", "--subsample", "300"});
+  EXPECT_EQ(labelsIn(file("a.pcd")), labelsIn(file("b.pcd")));
+  EXPECT_NE(labelsIn(file("a.pcd")), labelsIn(file("c.pcd")));
+}
+
+TEST_F(SegmentTool, ProposesSeedsAndReadsTheirLabelsBack)
+{
+  segment({scan_,
+           file("groups.pcd"),
+           "--propose",
+           file("seeds.csv"),
+           "--start-index",
+           "100"});
+  const std::string table = readText(file("seeds.csv"));
+  EXPECT_EQ(table.rfind("index,x,y,z,label\n100,", 0), 0u) << table;
+  EXPECT_EQ(linesOf(table), 13u);
+
+  // The annotator: label 1000 + row for all seeds but the last, which stays unasked.
+  std::istringstream lines(table);
+  std::string filled, line;
+  std::getline(lines, filled);
+  filled += '\n';
+  for (int row = 0; std::getline(lines, line); ++row)
+    filled += line + (row < 11 ? std::to_string(1000 + row) : "") + "\n";
+  writeText(file("seeds.csv"), filled);
+  segment({scan_, file("labelled.pcd"), "--labels", file("seeds.csv")});
+
+  const Labels groups = labelsIn(file("groups.pcd"));
+  const Labels labels = labelsIn(file("labelled.pcd"));
+  const std::set<std::uint32_t> used(labels.begin(), labels.end());
+  EXPECT_EQ(used.size(), 12u); // 11 labels, and 0
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    // With one seed fewer, all other points keep theirs.
+    if (groups[i] == 0) {
+      EXPECT_EQ(labels[i], 0u);
+    }
+    else if (groups[i] != 12) {
+      EXPECT_EQ(labels[i], 999 + groups[i]);
+    }
+  }
+}
+
+TEST_F(SegmentTool, TakesLabelZeroAsAnAnswer)
+{
+  const Labels truth = deskLabels();
+  std::string table = "index,label\n";
+  for (const std::uint32_t surface : {1u, 2u, 3u}) {
+    std::size_t seed = 0;
+    while (truth[seed] != surface)
+      ++seed;
+    table += std::to_string(seed) + (surface == 2 ? ",0\n" : ",9\n");
+  }
+  writeText(file("seeds.csv"), table);
+  segment({scan_, file("out.pcd"), "--labels", file("seeds.csv")});
+  const Labels labels = labelsIn(file("out.pcd"));
+  const std::set<std::uint32_t> used(labels.begin(), labels.end());
+  EXPECT_EQ(used, (std::set<std::uint32_t>{0, 9}));
+  const auto zeros = std::count(labels.begin(), labels.end(), 0u);
+  EXPECT_GT(zeros, std::count(truth.begin(), truth.end(), 0u));
+}
+
+template <typename Value>
+class LabelledInput : public SegmentTool {
+};
+
+using LabelTypes =
+    testing::Types<std::uint8_t, std::uint16_t, std::uint32_t, std::int32_t, float>;
+TYPED_TEST_SUITE(LabelledInput, LabelTypes);
+
+TYPED_TEST(LabelledInput, PlaysTheAnnotatorWhateverItsType)
+{
+  LabelledCloud scan = deskScan();
+  std::vector<TypeParam> field;
+  for (const std::uint32_t label :
+       deskLabels()) // NaN at invalid points, where it can be
+    field.push_back(label == 0 ? std::numeric_limits<TypeParam>::quiet_NaN()
+                               : static_cast<TypeParam>(label));
+  appendField("label", field, scan.fields);
+  scan.fields.width = 40;
+  const std::string input = this->file("labelled.pcd");
+  saveCloud(input, scan, CloudFormat::pcd_binary);
+  const ToolRun done = this->segment({input,
+                                      this->file("out.pcd"),
+                                      "--labels-from",
+                                      "label",
+                                      "--report",
+                                      this->file("report.json")});
+
+  const Labels truth = deskLabels();
+  const Labels labels = this->labelsIn(this->file("out.pcd"));
+  std::size_t right = 0;
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    EXPECT_LE(labels[i], 3u);
+    finite += truth[i] != 0 ? 1 : 0;
+    right += truth[i] != 0 && labels[i] == truth[i] ? 1 : 0;
+  }
+  const double share = static_cast<double>(right) / static_cast<double>(finite);
+  EXPECT_GT(share, 0.8);
+  char percent[32];
+  std::snprintf(percent, sizeof(percent), "%.2f %%", 100 * share);
+  EXPECT_NE(done.out.find(percent), std::string::npos) << done.out;
+  const nlohmann::json score = this->report()["score"];
+  EXPECT_EQ(score["field"], "label");
+  EXPECT_EQ(score["points"], finite);
+  EXPECT_EQ(score["right"], right);
+  EXPECT_EQ(score["labelled_points"], finite);
+  EXPECT_DOUBLE_EQ(score["share_right"], share);
+  // The field was replaced, in its place.
+  EXPECT_EQ(readCloud(this->file("out.pcd")).fields.fields.size(), 5u);
+}
+
+TEST_F(SegmentTool, WritesTheLabelTypeThatIsAskedFor)
+{
+  segment({scan_, file("u.pcd")});
+  const Labels labels = labelsIn(file("u.pcd"));
+  segment({scan_, file("f.pcd"), "--label-type", "F4"});
+  const LabelledCloud as_float = readCloud(file("f.pcd"));
+  EXPECT_EQ(as_float.fields.fields.back().datatype, pcl::PCLPointField::FLOAT32);
+  EXPECT_EQ(labelsOf(as_float, "label", pointsOf(as_float)), labels);
+  segment({scan_, file("i.pcd"), "--label-type", "I4"});
+  const LabelledCloud as_int = readCloud(file("i.pcd"));
+  EXPECT_EQ(as_int.fields.fields.back().datatype, pcl::PCLPointField::INT32);
+  EXPECT_EQ(labelsOf(as_int, "label", pointsOf(as_int)), labels);
+}
+
+TEST_F(SegmentTool, ReadsAndWritesEveryFormat)
+{
+  segment({scan_, file("out.pcd")});
+  const Labels labels = labelsIn(file("out.pcd"));
+  for (const auto& [name, format] : {std::pair("a.pcd", CloudFormat::pcd_ascii),
+                                     std::pair("b.pcd", CloudFormat::pcd_binary),
+                                     std::pair("c.ply", CloudFormat::ply_ascii),
+                                     std::pair("d.ply", CloudFormat::ply_binary)}) {
+    saveCloud(file(name), deskScan(), format);
+    for (const char* const output : {"out.ply", "out.pcd"}) {
+      segment({file(name), file(output)});
+      const LabelledCloud result = readCloud(file(output));
+      EXPECT_EQ(result.format, formatFor(output, format));
+      EXPECT_EQ(valuesOf<std::uint32_t>(result.fields, "label"), labels) << name;
+      EXPECT_EQ(bytesOf(result.fields, "rgb"), bytesOf(deskScan().fields, "rgb"));
+      EXPECT_EQ(result.fields.width, 40u);
+      EXPECT_EQ(result.fields.height, 30u);
+    }
+  }
+}
+
+/** The desk scan on a grid of 2^-10 m about the origin, scaled and shifted. */
+template <typename Value>
+LabelledCloud
+movedScan(double scale, const Eigen::Vector3d& shift)
+{
+  const CloudPoints points = pointsOf(deskScan());
+  std::vector<Value> coordinates[3];
+  for (const pcl::PointXYZ& point : *points.points) {
+    const Eigen::Vector3d p = point.getVector3fMap().cast<double>();
+    const Eigen::Vector3d centred = p - Eigen::Vector3d(0.0, 0.0, 1.5);
+    for (int axis = 0; axis < 3; ++axis)
+      coordinates[axis].push_back(static_cast<Value>(
+          scale * std::round(1024.0 * centred[axis]) / 1024.0 + shift[axis]));
+  }
+  LabelledCloud moved;
+  appendField("x", coordinates[0], moved.fields);
+  appendField("y", coordinates[1], moved.fields);
+  appendField("z", coordinates[2], moved.fields);
+  return moved;
+}
+
+TEST_F(SegmentTool, GivesTheSameLabelsInOtherUnitsAndFrames)
+{
+  const Eigen::Vector3d zero(0, 0, 0);
+  const Eigen::Vector3d utm(524288, 4194304, 0);
+  saveCloud(file("m.pcd"), movedScan<float>(1, zero), CloudFormat::pcd_binary);
+  saveCloud(file("mm.pcd"), movedScan<float>(1024, zero), CloudFormat::pcd_binary);
+  saveCloud(file("utm.pcd"), movedScan<double>(1, utm), CloudFormat::pcd_binary);
+  saveCloud(file("utm.ply"), movedScan<double>(1, utm), CloudFormat::ply_ascii);
+  segment({file("m.pcd"), file("out.pcd"), "--propose", file("m.csv")});
+  const Labels labels = labelsIn(file("out.pcd"));
+  for (const char* const moved : {"mm.pcd", "utm.pcd", "utm.ply"}) {
+    segment({file(moved), file("out.pcd"), "--propose", file("moved.csv")});
+    EXPECT_EQ(labelsIn(file("out.pcd")), labels) << moved;
+    const LabelledCloud kept = readCloud(file("out.pcd"));
+    const LabelledCloud before = readCloud(file(moved));
+    for (const char* const axis : {"x", "y", "z"})
+      EXPECT_EQ(bytesOf(kept.fields, axis), bytesOf(before.fields, axis)) << moved;
+  }
+  const std::string table = readText(file("moved.csv"));
+  EXPECT_NE(table.find(",4194304"), std::string::npos) << table;
+}
+
+TEST_F(SegmentTool, StopsAtTheCoverage)
+{
+  segment({scan_, file("out.pcd"), "--report", file("report.json")});
+  const double twelve = report()["seeds"].back()["coverage"];
+  const ToolRun done = run(
+      "pcl_cid_segment",
+      {scan_, file("out.pcd"), "--coverage", "0.05", "--report", file("report.json")});
+  EXPECT_EQ(done.exit_code, 0);
+  const nlohmann::json seeds = report()["seeds"];
+  EXPECT_LE(seeds.back()["coverage"], 0.05);
+  EXPECT_GT(seeds[seeds.size() - 2]["coverage"], 0.05);
+  ASSERT_GT(twelve, 0.05);
+  EXPECT_GT(seeds.size(), 12u);
+  segment({scan_,
+           file("out.pcd"),
+           "--coverage",
+           "0.05",
+           "--report",
+           file("report.json")}); // and 12 seeds: whichever comes first
+  EXPECT_EQ(report()["seeds"].size(), 12u);
+}
+
+TEST_F(SegmentTool, ReportsWhatItDid)
+{
+  segment(
+      {scan_, file("out.pcd"), "--report", file("report.json"), "--random-seed", "5"});
+  const nlohmann::json json = report();
+  EXPECT_EQ(json["tool"], "pcl_cid_segment");
+  EXPECT_EQ(json["input"], scan_);
+  EXPECT_EQ(json["parameters"]["seeds"], 12);
+  EXPECT_EQ(json["parameters"]["random_seed"], 5);
+  EXPECT_EQ(json["points"]["in"], 1200);
+  EXPECT_EQ(json["points"]["finite"], json["points"]["grouped"]);
+  std::size_t points = 0;
+  double coverage = std::numeric_limits<double>::infinity();
+  for (const nlohmann::json& seed : json["seeds"]) {
+    points += seed["points"].get<std::size_t>();
+    EXPECT_LE(seed["coverage"], coverage);
+    coverage = seed["coverage"];
+  }
+  EXPECT_EQ(json["points"]["grouped"], points);
+  for (const char* const step : {"load", "segment", "save"})
+    EXPECT_GE(json["seconds"][step], 0.0);
+  EXPECT_GT(json["peak_memory_bytes"], 0);
+}
+
+TEST_F(SegmentTool, PrintsPlainTextToFilesAndABarToTerminals)
+{
+  const std::vector<std::string> arguments{scan_, file("out.pcd"), "--seeds", "12"};
+  const ToolRun plain = run("pcl_cid_segment", arguments);
+  EXPECT_EQ(plain.err, "");
+  EXPECT_EQ(plain.out.find('\033'), std::string::npos);
+  EXPECT_EQ(plain.out.find('\r'), std::string::npos);
+  EXPECT_NE(plain.out.find("Loading " + scan_ + " [done, "), std::string::npos);
+  const ToolRun shown =
+      ToolProcess("pcl_cid_segment", arguments, printed_, true).wait();
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_NE(shown.err.find("100 %"), std::string::npos) << shown.err;
+  EXPECT_EQ(linesOf(shown.out), linesOf(plain.out));
+  std::vector<std::string> quiet = arguments;
+  quiet.push_back("--quiet");
+  const ToolRun silent = ToolProcess("pcl_cid_segment", quiet, printed_, true).wait();
+  EXPECT_EQ(silent.exit_code, 0);
+  EXPECT_EQ(silent.out + silent.err, "");
+}
+
+} // namespace
+} // namespace pcl_cid::test
