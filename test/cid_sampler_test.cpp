@@ -286,6 +286,38 @@ TEST(CIDSampler, RefusesUnusableInputAndLeavesOutputsEmpty)
   expectRefused(sampler, "no finite surface point");
 }
 
+TEST(CIDSampler, ExtendedEqualsOneRun)
+{
+  const auto cloud = toCloud(twoBoxes(900, 84));
+  for (const int subsample : {0, 300}) {
+    Sampler at_once = samplerFor(cloud, 25);
+    at_once.setSubsample(subsample);
+    const pcl::Indices expected = sampled(at_once);
+    Sampler in_steps = samplerFor(cloud, 10);
+    in_steps.setSubsample(subsample);
+    pcl::Indices seeds;
+    EXPECT_THROW(in_steps.extend(25, seeds), CIDException) << "nothing to extend";
+    in_steps.sample(seeds);
+    in_steps.extend(18, seeds);
+    EXPECT_EQ(seeds.size(), 18u);
+    in_steps.extend(25, seeds);
+    EXPECT_EQ(seeds, expected);
+    EXPECT_EQ(in_steps.getProposal().group, at_once.getProposal().group);
+    in_steps.setInputCloud(toCloud(twoBoxes(900, 85)));
+    EXPECT_THROW(in_steps.extend(30, seeds), CIDException) << "another cloud";
+  }
+}
+
+TEST(CIDSampler, LittleMemoryChangesNothing)
+{
+  const auto cloud = toCloud(twoBoxes(2000, 86));
+  Sampler rich = samplerFor(cloud, 12);
+  Sampler poor = samplerFor(cloud, 12);
+  poor.setMemoryBudget(1000);
+  EXPECT_EQ(sampled(poor), sampled(rich));
+  EXPECT_EQ(poor.getProposal().cid, rich.getProposal().cid);
+}
+
 TEST(CIDSampler, CancelledAndReusable)
 {
   Sampler sampler = samplerFor(toCloud(twoBoxes(2000, 81)), 40);

@@ -28,16 +28,17 @@ namespace pcl_cid {
  *  twice counts once. Coordinates may be at UTM offsets (see PointSet). The unit is the
  *  cloud's; "metres" in this documentation stands for it.
  *
- *  Every result is the same, to the byte, for each number of threads and each run.
- *  An object serves one thread at a time; separate objects may work side by side.
+ *  Every result is the same, to the byte, for each number of threads and each run. An
+ *  object serves one thread at a time; separate objects may work side by side.
  *
  *  Every setter refuses a bad value at once; every verb throws CIDException when the
  *  input is missing or unusable, CIDCancelled when the progress callback says so, and
  *  then leaves its outputs empty and the object as usable as before.
  *
  *  R. Wang, Y. Xue, B. Surianarayanan, D. Tian, C. Feng: "Concavity-Induced Distance
- * for Unoriented Point Cloud Decomposition", IEEE Robotics and Automation Letters,
- * 2023. \ingroup segmentation */
+ *  for Unoriented Point Cloud Decomposition", IEEE Robotics and Automation Letters,
+ *  2023.
+ *  \ingroup segmentation */
 template <typename PointT>
 class CIDBase : public pcl::PCLBase<PointT>, public CIDParameters {
   static_assert(pcl::traits::has_xyz_v<PointT>,

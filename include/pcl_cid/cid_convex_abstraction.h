@@ -23,17 +23,17 @@ namespace pcl_cid {
  *  approximately convex parts (Algorithm 2), one convex hull each.
  *
  *  \code
- *  pcl_cid::CIDConvexAbstraction<pcl::PointXYZ> abstraction;
- *  abstraction.setInputCloud(cloud);
- *  abstraction.setNumberOfParts(30);
- *  std::vector<pcl_cid::ConvexPart> parts;
- *  abstraction.reconstruct(parts);
- *  \endcode
+ *   pcl_cid::CIDConvexAbstraction<pcl::PointXYZ> abstraction;
+ *   abstraction.setInputCloud(cloud);
+ *   abstraction.setNumberOfParts(30);
+ *   std::vector<pcl_cid::ConvexPart> parts;
+ *   abstraction.reconstruct(parts);
+ *   \endcode
  *
  *  The merge tree is computed once and can be cut anywhere: getMergeTree(), then
  *  reconstruct(cut, parts) for each cut. Parts are ordered by their lowest group; every
- *  finite, selected point belongs to exactly one.
- *  See CIDBase for the input, errors, determinism and thread safety.
+ *  finite, selected point belongs to exactly one. See CIDBase for the input, errors,
+ *  determinism and thread safety.
  *  \ingroup segmentation */
 template <typename PointT>
 class CIDConvexAbstraction : public CIDBase<PointT> {
@@ -93,10 +93,11 @@ public:
   reconstruct(std::vector<ConvexPart>& parts);
 
   /** \brief The hulls of another cut of the last merge tree; the input must still be
-   * the same. \param[in] cut part number of each group, as a MergeTree gives it
+   *  the same.
+   *  \param[in] cut part number of each group, as a MergeTree gives it
    *  \param[out] parts by part number
-   *  \throws CIDException when nothing was computed, or the cut does not fit the tree
-   */
+   *  \throws CIDException when nothing was computed, or the cut does not fit the
+   *  tree */
   void
   reconstruct(const std::vector<int>& cut, std::vector<ConvexPart>& parts);
 

@@ -25,35 +25,36 @@ namespace pcl_cid {
  *  Three ways to label:
  *  \li setSeeds(indices, labels): seeds with their labels, from wherever they come;
  *  \li setAnnotator(ask): seeds are proposed (Algorithm 1) and each is shown to the
- *      annotator, who answers with its label;
+ *  annotator, who answers with its label;
  *  \li neither: seeds are proposed, and the label is the number of the group + 1.
  *
  *  \code
- *  pcl_cid::CIDLabelPropagation<pcl::PointXYZ> propagation;
- *  propagation.setInputCloud(cloud);
- *  propagation.setSeeds(seeds, labels);
- *  pcl::PointCloud<pcl::PointXYZL> labelled;
- *  propagation.segment(labelled);
- *  \endcode
+ *    pcl_cid::CIDLabelPropagation<pcl::PointXYZ> propagation;
+ *    propagation.setInputCloud(cloud);
+ *    propagation.setSeeds(seeds, labels);
+ *    pcl::PointCloud<pcl::PointXYZL> labelled;
+ *    propagation.segment(labelled);
+ *    \endcode
  *
- *  Points that are not finite or not selected get label 0.
- *  See CIDBase for the input, errors, determinism and thread safety.
+ *  Points that are not finite or not selected get label 0. See CIDBase for the input,
+ *  errors, determinism and thread safety.
  *  \ingroup segmentation */
 template <typename PointT>
 class CIDLabelPropagation : public CIDBase<PointT> {
 public:
   using Ptr = pcl::shared_ptr<CIDLabelPropagation<PointT>>;
   using ConstPtr = pcl::shared_ptr<const CIDLabelPropagation<PointT>>;
-  /** \brief Asked for the label of a seed, an index of the input cloud; 0 for "none".
-   */
+  /** \brief Asked for the label of a seed, an index of the input cloud; 0 for
+   *  "none". */
   using Annotator = std::function<std::uint32_t(pcl::index_t seed)>;
 
   /** \brief Use these seeds instead of proposing any. At equal CID the earlier one
-   * keeps a point. \param[in] seeds indices of the input cloud; the verb requires them
-   * to be finite, selected points \param[in] labels one for each; 0 is a label too:
-   * "asked, and it is none" \throws CIDException when there are none, when the sizes
-   * differ, or when a seed stands twice with two labels (twice with one label counts
-   * once) */
+   *  keeps a point.
+   *  \param[in] seeds indices of the input cloud; the verb requires them to be finite,
+   *  selected points
+   *  \param[in] labels one for each; 0 is a label too: "asked, and it is none"
+   *  \throws CIDException when there are none, when the sizes differ, or when a seed
+   *  stands twice with two labels (twice with one label counts once) */
   void
   setSeeds(const pcl::Indices& seeds, const std::vector<std::uint32_t>& labels);
 
@@ -87,6 +88,20 @@ public:
     return annotator_;
   }
 
+  /** \brief Whether getProposal() has the CID of every point to its seed; the default,
+   *  false, saves a good part of the time. */
+  void
+  setKeepCID(bool keep_cid)
+  {
+    keep_cid_ = keep_cid;
+  }
+
+  bool
+  getKeepCID() const
+  {
+    return keep_cid_;
+  }
+
   /** \brief Label every point.
    *  \param[out] labelled the input cloud's points, in order and shape, with labels
    *  \throws CIDException, CIDCancelled, and whatever the annotator throws */
@@ -116,6 +131,7 @@ private:
   pcl::Indices seeds_;
   std::vector<std::uint32_t> seed_labels_;
   Annotator annotator_;
+  bool keep_cid_ = false;
   SeedProposal proposal_;
 };
 

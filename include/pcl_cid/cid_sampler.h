@@ -11,27 +11,31 @@
 
 #include <pcl_cid/cid_base.h>
 
+#include <memory>
+
 namespace pcl_cid {
 
 /** \brief Seeds by farthest-first sampling in CID (CID-FPS, Algorithm 1 of the paper),
- * and the group of every point: the seed with the smallest CID to it.
+ *  and the group of every point: the seed with the smallest CID to it.
  *
  *  \code
- *  pcl_cid::CIDSampler<pcl::PointXYZ> sampler;
- *  sampler.setInputCloud(cloud);
- *  sampler.setNumberOfSeeds(100);
- *  pcl::Indices seeds;
- *  sampler.sample(seeds);
- *  const std::vector<pcl::index_t>& group = sampler.getProposal().group;
- *  \endcode
+ *    pcl_cid::CIDSampler<pcl::PointXYZ> sampler;
+ *    sampler.setInputCloud(cloud);
+ *    sampler.setNumberOfSeeds(100);
+ *    pcl::Indices seeds;
+ *    sampler.sample(seeds);
+ *    const std::vector<pcl::index_t>& group = sampler.getProposal().group;
+ *    \endcode
  *
  *  The seeds are nested: the first k of them are what k seeds would have been.
  *  Degenerate input: duplicates never become seeds, so a cloud with fewer distinct
- * points than seeds gives one seed for each of them, with a warning. See CIDBase for
- * the input, errors, determinism and thread safety. \ingroup segmentation */
+ *  points than seeds gives one seed for each of them, with a warning. See CIDBase for
+ *  the input, errors, determinism and thread safety.
+ *  \ingroup segmentation */
 template <typename PointT>
 class CIDSampler : public CIDBase<PointT> {
 public:
+  using typename CIDBase<PointT>::PointCloudConstPtr;
   using Ptr = pcl::shared_ptr<CIDSampler<PointT>>;
   using ConstPtr = pcl::shared_ptr<const CIDSampler<PointT>>;
 
@@ -41,8 +45,17 @@ public:
   void
   sample(pcl::Indices& seeds);
 
+  /** \brief Go on where the last sample() ended, at the cost of the new seeds only: an
+   *  annotator asks for ten more. The result is that of one sample() with all of them.
+   *  \param[in] number_of_seeds K, all in all
+   *  \param[out] seeds all of them
+   *  \throws CIDException when nothing was sampled yet, or the input cloud has been
+   *  replaced since */
+  void
+  extend(int number_of_seeds, pcl::Indices& seeds);
+
   /** \brief Seeds, groups and coverage of the last sample(); indices of the input
-   * cloud, groups and CIDs for each of its points. */
+   *  cloud, groups and CIDs for each of its points. */
   const SeedProposal&
   getProposal() const
   {
@@ -50,6 +63,12 @@ public:
   }
 
 private:
+  void
+  publish(pcl::Indices& seeds);
+
+  std::shared_ptr<const Preparation> prepared_; ///< of the last sample()
+  PointCloudConstPtr sampled_;                  ///< its input
+  SeedProposal working_proposal_;               ///< its result on the working set
   SeedProposal proposal_;
 };
 

@@ -7,11 +7,14 @@
  * Concavity-Induced Distance of two points and of two groups: Eq. 1 to 3.
  */
 
+#include "distance_grid.h"
+#include "segment_samples.h"
 #include "validation.h"
 
 #include <pcl_cid/core/concavity.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace pcl_cid {
@@ -32,8 +35,8 @@ struct Stretch {
   }
 };
 
-/** A 1-Lipschitz function with the values a and b at two places nowhere exceeds
- *  (a + b + length) / 2 between them; \a slack covers the rounding of all four. */
+/** A 1-Lipschitz function with the values a and b at two places nowhere exceeds (a + b
+ *  + length) / 2 between them; \a slack covers the rounding of all four. */
 float
 lipschitzBound(float a, float b, float length, float slack)
 {
@@ -52,14 +55,13 @@ roundingSlack(const Eigen::Vector3f& p, const Eigen::Vector3f& q, float distance
 }
 
 /** The largest distance over the samples, best first: look next where a larger one is
- *  still possible, until none can exceed the largest so far by more than \a tolerance.
- */
+ *  still possible, until none can exceed the largest so far by more than \a
+ *  tolerance. */
 float
 largestDistance(const DistanceField& field,
                 const Eigen::Vector3f& p,
                 const Eigen::Vector3f& q,
                 int samples,
-                float limit,
                 float tolerance)
 {
   const int last = samples - 1;
@@ -81,7 +83,7 @@ largestDistance(const DistanceField& field,
     }
   };
   push(0, last, at_p, at_q);
-  while (!open.empty() && largest < limit) {
+  while (!open.empty()) {
     std::pop_heap(open.begin(), open.end());
     const Stretch widest = open.back();
     open.pop_back();
@@ -96,6 +98,26 @@ largestDistance(const DistanceField& field,
   return largest;
 }
 
+const SampleOrder&
+orderOf(int samples)
+{
+  thread_local SampleOrder order(min_samples);
+  if (order.samples() != samples)
+    order = SampleOrder(samples);
+  return order;
+}
+
+/** An upper bound of d at every sample, and what is known exactly. */
+struct SampleBounds {
+  std::vector<float> high;
+  /** `high` was concluded from its neighbours and never looked up. */
+  std::vector<std::uint8_t> concluded;
+  /** The largest exact distance so far. */
+  float largest = 0.0f;
+  /** Samples whose distance may be larger. */
+  std::vector<std::size_t> open;
+};
+
 } // namespace
 
 float
@@ -105,7 +127,81 @@ pointCID(const DistanceField& field,
          int samples,
          float limit)
 {
-  return largestDistance(field, p, q, samples, limit, 0.0f); // Eq. 2
+  return pointCID(field, p, q, orderOf(samples), limit);
+}
+
+float
+pointCID(const DistanceField& field,
+         const Eigen::Vector3f& p,
+         const Eigen::Vector3f& q,
+         const SampleOrder& order,
+         float limit)
+{
+  const DistanceGrid& grid = field.grid();
+  const SegmentSamples segment(p, q, order.samples());
+  thread_local SampleBounds bounds;
+  std::vector<float>& high = bounds.high;
+  high.resize(order.entries().size());
+  bounds.concluded.assign(order.entries().size(), 0);
+  bounds.largest = 0.0f;
+  const auto evaluate = [&](std::size_t l) {
+    high[l] = field.distance(segmentSample(p, q, static_cast<int>(l), order.samples()));
+    bounds.largest = std::max(bounds.largest, high[l]);
+  };
+
+  // One sample that is too far decides; an upper bound of each shows that there is
+  // none.
+  for (const SampleOrder::Entry& entry : order.entries()) {
+    const std::size_t l = entry.sample;
+    if (!entry.isEnd()) {
+      high[l] = segment.between(entry, high);
+      bounds.concluded[l] = high[l] < limit;
+      if (bounds.concluded[l])
+        continue;
+    }
+    const Eigen::Vector3f x = segment.at(l);
+    high[l] = grid.high(x) + segment.slack;
+    if (high[l] < limit)
+      continue;
+    const float low = grid.bounds(x).low - segment.slack;
+    if (low >= limit)
+      return low;
+    evaluate(l);
+    if (high[l] >= limit)
+      return high[l];
+  }
+
+  // Eq. 2: the maximum is about where the largest bound is; most others then fall
+  // short.
+  std::size_t top = order.entries().back().sample / 2;
+  if (limit < std::numeric_limits<float>::infinity())
+    for (std::size_t l = 0; l < high.size(); ++l)
+      if (!bounds.concluded[l] && high[l] > high[top])
+        top = l;
+  evaluate(top);
+  bounds.open.clear();
+  for (const SampleOrder::Entry& entry : order.entries()) {
+    const std::size_t l = entry.sample;
+    if (high[l] > bounds.largest && bounds.concluded[l]) {
+      high[l] = std::min(high[l], segment.between(entry, high));
+      if (high[l] > bounds.largest)
+        high[l] = grid.high(segment.at(l)) + segment.slack;
+    }
+    if (high[l] > bounds.largest)
+      bounds.open.push_back(l);
+  }
+  while (!bounds.open.empty()) {
+    const auto next = std::max_element(
+        bounds.open.begin(), bounds.open.end(), [&](std::size_t a, std::size_t b) {
+          return high[a] < high[b];
+        });
+    if (high[*next] <= bounds.largest)
+      break;
+    evaluate(*next);
+    *next = bounds.open.back();
+    bounds.open.pop_back();
+  }
+  return bounds.largest;
 }
 
 float
@@ -125,8 +221,7 @@ continuousPointCID(const DistanceField& field,
   while (intervals < max_samples / 2 &&
          length / static_cast<float>(intervals) > tolerance)
     intervals *= 2;
-  const float no_limit = std::numeric_limits<float>::infinity();
-  return largestDistance(field, p, q, intervals + 1, no_limit, 0.5f * tolerance);
+  return largestDistance(field, p, q, intervals + 1, 0.5f * tolerance);
 }
 
 double

@@ -76,7 +76,7 @@ principalBox(const std::vector<Eigen::Vector3d>& points)
 }
 
 /** PCL's points are float: below this share of its size, a thin part would be flat
- * again after rounding. */
+ *  again after rounding. */
 double
 feasibleThickness(const PrincipalBox& box, double min_thickness)
 {
@@ -84,8 +84,8 @@ feasibleThickness(const PrincipalBox& box, double min_thickness)
 }
 
 /** Widen the points along a direction by as much as is missing there, half to either
- *  side: the hull then contains them, is as thick as asked, and symmetric about them.
- */
+ *  side: the hull then contains them, is as thick as asked, and symmetric about
+ *  them. */
 void
 widen(std::vector<Eigen::Vector3d>& points,
       const Eigen::Vector3d& direction,

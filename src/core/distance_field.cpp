@@ -4,16 +4,25 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * d(x; S) on pcl::KdTreeFLANN.
+ * d(x; S): the grid near the surface, pcl::KdTreeFLANN elsewhere.
  */
 
+#include "block_tree.h"
+#include "distance_grid.h"
+#include "parallel_for.h"
+#include "validation.h"
+
 #include <pcl_cid/core/distance_field.h>
-#include <pcl_cid/exceptions.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
+#include <pcl/point_cloud.h>
 #include <pcl/search/kdtree.h>
+
+#include <unistd.h>
 
 namespace pcl_cid {
 namespace {
@@ -29,18 +38,83 @@ makeKdTree()
   return tree;
 }
 
+std::size_t
+quarterOfMemory()
+{
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page = sysconf(_SC_PAGESIZE);
+  return pages > 0 && page > 0
+             ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) / 4
+             : std::size_t{1} << 30;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+cloudOf(const BlockTree& tree, std::size_t size)
+{
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  cloud->resize(size);
+  for (std::size_t b = 0; b < tree.size(); ++b)
+    for (int row = 0; row < tree.block(b).count; ++row)
+      (*cloud)[static_cast<std::size_t>(tree.block(b).index[row])].getVector3fMap() =
+          tree.block(b).point(row);
+  return cloud;
+}
+
 } // namespace
 
-DistanceField::DistanceField(const Points& surface, Search::Ptr search)
-: surface_(pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>())
-, search_(search ? std::move(search) : makeKdTree())
+DistanceField::DistanceField(const Points& surface) : DistanceField(surface, Options())
 {
-  if (surface.empty())
-    throw CIDException("the search surface has no finite point; at least 1 is needed");
-  surface_->reserve(surface.size());
-  for (const Eigen::Vector3f& p : surface)
-    surface_->emplace_back(p.x(), p.y(), p.z());
-  search_->setInputCloud(surface_);
+}
+
+DistanceField::DistanceField(const Points& surface, const Options& options)
+: size_(surface.size())
+, has_own_search_(options.search != nullptr)
+, search_(options.search)
+{
+  requirePoints(surface);
+  Progress progress(options.execution.progress);
+  const int threads = threadCount(options.execution.threads);
+  const std::size_t budget =
+      options.memory_budget > 0 ? options.memory_budget : quarterOfMemory();
+  tree_ = std::make_unique<BlockTree>(surface, threads, progress);
+  grid_ = std::make_unique<DistanceGrid>(*tree_, budget, threads, progress);
+}
+
+DistanceField::~DistanceField() = default;
+
+const DistanceField::Search&
+DistanceField::search() const
+{
+  std::call_once(search_ready_, [this] {
+    if (!search_)
+      search_ = makeKdTree();
+    search_->setInputCloud(cloudOf(*tree_, size_));
+  });
+  return *search_;
+}
+
+float
+DistanceField::distance(const Eigen::Vector3f& x) const
+{
+  const float squared = grid_->squaredDistance(x);
+  if (squared >= 0.0f)
+    return std::sqrt(squared);
+  if (!has_own_search_) {
+    const float none = std::numeric_limits<float>::infinity();
+    return std::sqrt(tree_->squaredDistanceBelow(1, x, none));
+  }
+  const pcl::PointXYZ& p =
+      (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))];
+  const float dx = x.x() - p.x;
+  const float dy = x.y() - p.y;
+  const float dz = x.z() - p.z;
+  return std::sqrt((dx * dx + dy * dy) + dz * dz);
+}
+
+DistanceBounds
+DistanceField::bounds(const Eigen::Vector3f& x) const
+{
+  return grid_->bounds(x);
 }
 
 pcl::index_t
@@ -48,7 +122,7 @@ DistanceField::nearest(const Eigen::Vector3f& x) const
 {
   thread_local pcl::Indices index(1);
   thread_local std::vector<float> squared_distance(1);
-  const int found = search_->nearestKSearch(
+  const int found = search().nearestKSearch(
       pcl::PointXYZ(x.x(), x.y(), x.z()), 1, index, squared_distance);
   if (found != 1)
     throw CIDException("the search method found no neighbour; it must answer every "
@@ -56,14 +130,17 @@ DistanceField::nearest(const Eigen::Vector3f& x) const
   return index[0];
 }
 
-float
-DistanceField::distance(const Eigen::Vector3f& x) const
+bool
+DistanceField::isSurface(const Points& points) const
 {
-  const pcl::PointXYZ& p = (*surface_)[nearest(x)];
-  const float dx = x.x() - p.x;
-  const float dy = x.y() - p.y;
-  const float dz = x.z() - p.z;
-  return std::sqrt(dx * dx + dy * dy + dz * dz);
+  if (points.size() != size_)
+    return false;
+  for (std::size_t b = 0; b < tree_->size(); ++b)
+    for (int row = 0; row < tree_->block(b).count; ++row)
+      if (tree_->block(b).point(row) !=
+          points[static_cast<std::size_t>(tree_->block(b).index[row])])
+        return false;
+  return true;
 }
 
 } // namespace pcl_cid

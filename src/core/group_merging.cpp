@@ -147,8 +147,8 @@ public:
   }
 
 private:
-  /** "argmin D": each group knows its nearest of higher number, so one pass finds it.
-   */
+  /** "argmin D": each group knows its nearest of higher number, so one pass finds
+   *  it. */
   MergeStep
   mergeClosest()
   {
@@ -163,7 +163,7 @@ private:
   }
 
   /** "G_i <- G_i U G_j", "V <- V \ {G_j}": CID_g to the union of two groups is the mean
-   * of the CID_g to each, weighted with their sizes (Lance-Williams for Eq. 3). */
+   *  of the CID_g to each, weighted with their sizes (Lance-Williams for Eq. 3). */
   void
   join(std::size_t i, std::size_t j)
   {

@@ -19,8 +19,8 @@
 
 namespace pcl_cid {
 
-/** \brief The number of threads that a setting stands for (0: all that OpenMP offers).
- */
+/** \brief The number of threads that a setting stands for (0: all that OpenMP
+ *  offers). */
 inline int
 threadCount(unsigned int setting)
 {
@@ -30,7 +30,7 @@ threadCount(unsigned int setting)
 /** \brief Part of a longer work that one loop makes up, in fractions of that work. */
 struct ProgressSpan {
   double begin = 0.0;
-  double end = 1.0;
+  double end = 0.0;
 };
 
 /** \brief Call \a body(begin, end) for consecutive ranges that make up [0, count).
@@ -45,8 +45,7 @@ struct ProgressSpan {
  *  \param[in] span the fractions that this loop stands for
  *  \param[in] body callable as void(std::size_t begin, std::size_t end)
  *  \throws CIDCancelled, and whatever \a body or the callback throws (the first of
- * them)
- */
+ *  them) */
 template <typename Body>
 void
 parallelFor(std::size_t count,

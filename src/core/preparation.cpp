@@ -86,6 +86,43 @@ startPosition(const PointSet& points,
   return candidates[drawBelow(generator, candidates.size())];
 }
 
+SeedProposalOptions
+optionsOf(const Preparation& preparation,
+          const CIDParameters& parameters,
+          bool keep_cid,
+          const ExecutionOptions& execution)
+{
+  SeedProposalOptions options;
+  options.seeds = static_cast<std::size_t>(parameters.getNumberOfSeeds());
+  options.coverage = parameters.getCoverage();
+  options.samples = parameters.getNumberOfSamples();
+  options.candidates = preparation.candidates;
+  options.keep_cid = keep_cid;
+  options.execution = execution;
+  return options;
+}
+
+void
+warnIfShort(const SeedProposal& proposal,
+            const SeedProposalOptions& options,
+            const char* caller)
+{
+  const bool covered = proposal.coverage.back() <= options.coverage;
+  if (proposal.seeds.size() < options.seeds && !(covered && options.coverage > 0.0f))
+    PCL_WARN("[pcl_cid::%s] only %zu seeds instead of %zu: no other candidate "
+             "is apart "
+             "from them\n",
+             caller,
+             proposal.seeds.size(),
+             options.seeds);
+  if (options.coverage > 0.0f && !covered)
+    PCL_WARN("[pcl_cid::%s] coverage is %g instead of %g metres after %zu seeds\n",
+             caller,
+             static_cast<double>(proposal.coverage.back()),
+             static_cast<double>(options.coverage),
+             proposal.seeds.size());
+}
+
 } // namespace
 
 Preparation
@@ -106,15 +143,18 @@ prepare(PointSet points,
   if (given_seeds.empty())
     seeds.push_back(startPosition(points, candidates, parameters, generator));
 
+  DistanceField::Options options;
+  options.search = parameters.getSearchMethod();
+  options.memory_budget = parameters.getMemoryBudget();
+  options.execution = execution;
   Preparation ready;
   ready.working =
       std::make_unique<WorkingSet>(std::move(points),
                                    surface,
-                                   parameters.getSearchMethod(),
+                                   options,
                                    static_cast<std::size_t>(parameters.getSubsample()),
                                    seeds,
-                                   generator,
-                                   execution);
+                                   generator);
   for (const pcl::index_t seed : seeds)
     ready.seeds.push_back(ready.working->indexOf(seed));
   for (const pcl::index_t candidate : candidates)
@@ -128,32 +168,31 @@ prepare(PointSet points,
 SeedProposal
 propose(const Preparation& preparation,
         const CIDParameters& parameters,
+        bool keep_cid,
         const ExecutionOptions& execution,
         const char* caller)
 {
-  SeedProposalOptions options;
-  options.seeds = static_cast<std::size_t>(parameters.getNumberOfSeeds());
-  options.coverage = parameters.getCoverage();
-  options.samples = parameters.getNumberOfSamples();
-  options.candidates = preparation.candidates;
-  options.execution = execution;
   const WorkingSet& working = *preparation.working;
+  const SeedProposalOptions options =
+      optionsOf(preparation, parameters, keep_cid, execution);
   SeedProposal proposal = proposeSeeds(
       working.field(), working.points(), preparation.seeds.front(), options);
-  const bool covered = proposal.coverage.back() <= options.coverage;
-  if (proposal.seeds.size() < options.seeds && !(covered && options.coverage > 0.0f))
-    PCL_WARN("[pcl_cid::%s] only %zu seeds instead of %zu: no other candidate is apart "
-             "from them\n",
-             caller,
-             proposal.seeds.size(),
-             options.seeds);
-  if (options.coverage > 0.0f && !covered)
-    PCL_WARN("[pcl_cid::%s] coverage is %g instead of %g metres after %zu seeds\n",
-             caller,
-             static_cast<double>(proposal.coverage.back()),
-             static_cast<double>(options.coverage),
-             proposal.seeds.size());
+  warnIfShort(proposal, options, caller);
   return proposal;
+}
+
+void
+extend(const Preparation& preparation,
+       const CIDParameters& parameters,
+       const ExecutionOptions& execution,
+       const char* caller,
+       SeedProposal& proposal)
+{
+  const WorkingSet& working = *preparation.working;
+  const SeedProposalOptions options =
+      optionsOf(preparation, parameters, true, execution);
+  extendProposal(working.field(), working.points(), options, proposal);
+  warnIfShort(proposal, options, caller);
 }
 
 } // namespace pcl_cid

@@ -4,161 +4,111 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Algorithm 1: seeds by farthest-first traversal in CID, and the group of each point.
+ * Algorithm 1: seeds by farthest-first traversal in CID, and the group of each
+ * point.
  */
 
-#include "parallel_for.h"
+#include "block_groups.h"
 #include "validation.h"
 
-#include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/seed_proposal.h>
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pcl_cid {
 namespace {
 
-constexpr std::size_t grain = 256;
+/** The share of the progress that the seeds take; the rest is for the last
+ *  decisions. */
+constexpr double seeds_share = 0.6;
 
-/** The state of Algorithm 1: D_min and its argument for every point. */
+/** Algorithm 1 with its state, D_min of every point, in a BlockGroups. */
 class Traversal {
 public:
   Traversal(const DistanceField& field,
             const Points& points,
             int samples,
-            const ExecutionOptions& execution,
-            SeedProposal proposal)
-  : field_(field)
-  , points_(points)
-  , samples_(samples)
-  , threads_(threadCount(execution.threads))
-  , progress_(execution.progress)
-  , proposal_(std::move(proposal))
+            const ExecutionOptions& execution)
+  : progress_(execution.progress), groups_(field, points, samples, execution, progress_)
   {
-    proposal_.group.resize(points.size(), -1);
-    proposal_.cid.resize(points.size(), std::numeric_limits<float>::infinity());
   }
 
-  /** Take in a seed: it wins every point to which its CID is smaller than that of all
-   *  earlier seeds. A seed that is given up (pointCID at its limit) has lost. */
+  /** Go on from a finished proposal. */
+  void
+  restore(const SeedProposal& proposal)
+  {
+    proposal_ = proposal;
+    groups_.restore(proposal);
+  }
+
+  void
+  setCandidates(const pcl::Indices& candidates)
+  {
+    if (!candidates.empty())
+      groups_.setCandidates(candidates);
+  }
+
+  /** "D[p, q] <- CID_p(p, q)", "D_min", "S_l <- S_l U {p*}": each point goes to the
+   *  seed if that is nearer than all before it.
+   *  \param[in] planned seeds in all, for the progress */
   void
   addSeed(pcl::index_t seed, std::size_t planned)
   {
-    const auto number = static_cast<pcl::index_t>(proposal_.seeds.size());
-    const Eigen::Vector3f s = points_[static_cast<std::size_t>(seed)];
-    forAllPoints(progressSpan(planned), [&](std::size_t i) {
-      const float cid = pointCID(field_, points_[i], s, samples_, proposal_.cid[i]);
-      if (cid < proposal_.cid[i]) {
-        proposal_.cid[i] = cid;
-        proposal_.group[i] = number;
-      }
-    });
+    planned_ = std::max(planned, proposal_.seeds.size() + 1);
+    groups_.addSeed(seed, step());
     proposal_.seeds.push_back(seed);
-    proposal_.coverage.push_back(
-        *std::max_element(proposal_.cid.begin(), proposal_.cid.end()));
+    proposal_.coverage.push_back(groups_.coverage(step()));
   }
 
-  /** The next seed: argmax of D_min, lowest index first; -1 when no candidate would
-   * gain by being a seed itself. */
+  /** "p* <- argmax D_min": the next seed, -1 when no candidate would gain by being
+   *  one. */
   pcl::index_t
-  farthest(const pcl::Indices& candidates)
+  farthest()
   {
-    pcl::index_t best = argmax(candidates);
-    // A point cannot come nearer to any seed than CID_p(p, p) = d(p; S). For the points
-    // of S that is 0; the distances of all the others are needed only once one is the
-    // farthest.
-    if (best >= 0 && own_cid_.empty() && !gains(best)) {
-      own_cid_.resize(points_.size());
-      forAllPoints({1.0, 1.0},
-                   [&](std::size_t i) { own_cid_[i] = field_.distance(points_[i]); });
-      best = argmax(candidates);
-    }
-    return best;
+    return groups_.farthest(step()).point;
   }
 
-  SeedProposal&
-  proposal()
+  const SeedProposal&
+  soFar() const
   {
     return proposal_;
   }
 
+  /** Point grouping: the seed of every point. */
+  SeedProposal
+  finish(bool keep_cid)
+  {
+    groups_.finish({seeds_share, 1.0}, keep_cid, proposal_);
+    return std::move(proposal_);
+  }
+
 private:
-  template <typename Visit>
-  void
-  forAllPoints(ProgressSpan span, const Visit& visit)
-  {
-    parallelFor(points_.size(),
-                grain,
-                threads_,
-                progress_,
-                span,
-                [&](std::size_t begin, std::size_t end) {
-                  for (std::size_t i = begin; i < end; ++i)
-                    visit(i);
-                });
-  }
-
-  bool
-  gains(pcl::index_t point) const
-  {
-    const auto i = static_cast<std::size_t>(point);
-    const float own = own_cid_.empty() ? field_.distance(points_[i]) : own_cid_[i];
-    return proposal_.cid[i] > own;
-  }
-
-  pcl::index_t
-  argmax(const pcl::Indices& candidates) const
-  {
-    pcl::index_t best = -1;
-    float largest = 0.0f;
-    const auto consider = [&](pcl::index_t point) {
-      const float cid = proposal_.cid[static_cast<std::size_t>(point)];
-      const bool farther = cid > largest || (cid == largest && point < best);
-      if (farther && (own_cid_.empty() || gains(point))) {
-        largest = cid;
-        best = point;
-      }
-    };
-    if (candidates.empty())
-      for (std::size_t i = 0; i < points_.size(); ++i)
-        consider(static_cast<pcl::index_t>(i));
-    else
-      for (const pcl::index_t point : candidates)
-        consider(point);
-    return best;
-  }
-
   ProgressSpan
-  progressSpan(std::size_t planned) const
+  step() const
   {
     const auto done = static_cast<double>(proposal_.seeds.size());
-    const auto all = static_cast<double>(std::max<std::size_t>(planned, 1));
-    return {std::min(done / all, 1.0), std::min((done + 1.0) / all, 1.0)};
+    const auto all = static_cast<double>(std::max<std::size_t>(planned_, 1));
+    const double fraction = seeds_share * std::min(done / all, 1.0);
+    return {fraction, fraction};
   }
 
-  const DistanceField& field_;
-  const Points& points_;
-  int samples_;
-  int threads_;
   Progress progress_;
+  BlockGroups groups_;
   SeedProposal proposal_;
-  std::vector<float> own_cid_; ///< CID_p(p, p) of each point; empty until needed
+  std::size_t planned_ = 0;
 };
 
 /** The loop of Algorithm 1, from whatever seeds the traversal holds. */
 void
 traverse(Traversal& traversal, const SeedProposalOptions& options)
 {
-  const SeedProposal& proposal = traversal.proposal();
-  while (proposal.seeds.size() < options.seeds &&       // Algorithm 1, "while"
-         proposal.coverage.back() > options.coverage) { // ours
-    const pcl::index_t next = traversal.farthest(options.candidates); // "argmax"
+  while (traversal.soFar().seeds.size() < options.seeds &&       // Algorithm 1, "while"
+         traversal.soFar().coverage.back() > options.coverage) { // ours
+    const pcl::index_t next = traversal.farthest();
     if (next < 0)
       break;
-    traversal.addSeed(next, options.seeds); // "D[p, q]", "D_min", "S_l U {p*}"
+    traversal.addSeed(next, options.seeds);
   }
 }
 
@@ -173,6 +123,30 @@ check(const Points& points, const SeedProposalOptions& options)
     requireIndex("seed candidate", candidate, points.size());
 }
 
+void
+check(const Points& points, const pcl::Indices& seeds, int samples)
+{
+  requirePoints(points);
+  requireSamples(samples);
+  requireAtLeast("number of seeds", seeds.size(), std::size_t{1});
+  for (const pcl::index_t seed : seeds)
+    requireIndex("seed", seed, points.size());
+}
+
+void
+requireFinished(const SeedProposal& proposal, const Points& points)
+{
+  if (proposal.seeds.empty() || proposal.cid.size() != points.size())
+    throw CIDException(
+        sentence("the proposal to go on from has ",
+                 proposal.seeds.size(),
+                 " seeds and the CIDs of ",
+                 proposal.cid.size(),
+                 " points; it must be a finished one with the CIDs of all ",
+                 points.size(),
+                 " points"));
+}
+
 } // namespace
 
 SeedProposal
@@ -183,10 +157,11 @@ proposeSeeds(const DistanceField& field,
 {
   check(points, options);
   requireIndex("start index", start, points.size());
-  Traversal traversal(field, points, options.samples, options.execution, {});
+  Traversal traversal(field, points, options.samples, options.execution);
+  traversal.setCandidates(options.candidates);
   traversal.addSeed(start, options.seeds); // "S_l <- {p*}"
   traverse(traversal, options);
-  return std::move(traversal.proposal());
+  return traversal.finish(options.keep_cid);
 }
 
 SeedProposal
@@ -194,17 +169,14 @@ groupBySeeds(const DistanceField& field,
              const Points& points,
              const pcl::Indices& seeds,
              int samples,
+             bool keep_cid,
              const ExecutionOptions& execution)
 {
-  requirePoints(points);
-  requireSamples(samples);
-  requireAtLeast("number of seeds", seeds.size(), std::size_t{1});
-  for (const pcl::index_t seed : seeds)
-    requireIndex("seed", seed, points.size());
-  Traversal traversal(field, points, samples, execution, {});
+  check(points, seeds, samples);
+  Traversal traversal(field, points, samples, execution);
   for (const pcl::index_t seed : seeds)
     traversal.addSeed(seed, seeds.size());
-  return std::move(traversal.proposal());
+  return traversal.finish(keep_cid);
 }
 
 void
@@ -214,15 +186,29 @@ extendProposal(const DistanceField& field,
                SeedProposal& proposal)
 {
   check(points, options);
-  if (proposal.seeds.empty() || proposal.group.size() != points.size())
-    throw CIDException("the proposal to extend holds " +
-                       std::to_string(proposal.seeds.size()) + " seeds of " +
-                       std::to_string(proposal.group.size()) +
-                       " points; it must be a finished one of the same " +
-                       std::to_string(points.size()) + " points");
-  Traversal traversal(field, points, options.samples, options.execution, proposal);
+  requireFinished(proposal, points);
+  Traversal traversal(field, points, options.samples, options.execution);
+  traversal.restore(proposal);
+  traversal.setCandidates(options.candidates);
   traverse(traversal, options);
-  proposal = std::move(traversal.proposal());
+  proposal = traversal.finish(true);
+}
+
+void
+addSeeds(const DistanceField& field,
+         const Points& points,
+         const pcl::Indices& seeds,
+         int samples,
+         const ExecutionOptions& execution,
+         SeedProposal& proposal)
+{
+  check(points, seeds, samples);
+  requireFinished(proposal, points);
+  Traversal traversal(field, points, samples, execution);
+  traversal.restore(proposal);
+  for (const pcl::index_t seed : seeds)
+    traversal.addSeed(seed, proposal.seeds.size() + seeds.size());
+  proposal = traversal.finish(true);
 }
 
 } // namespace pcl_cid

@@ -4,7 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The points that the method works on, and how its groups are carried on to all others.
+ * The points that the method works on, and how its groups are carried on to all
+ * others.
  */
 
 #include "parallel_for.h"
@@ -47,11 +48,10 @@ drawPositions(std::size_t count,
 
 WorkingSet::WorkingSet(PointSet points,
                        const Points& surface,
-                       DistanceField::Search::Ptr search,
+                       const DistanceField::Options& options,
                        std::size_t subsample,
                        const pcl::Indices& always,
-                       RandomGenerator& generator,
-                       const ExecutionOptions& execution)
+                       RandomGenerator& generator)
 : all_(std::move(points))
 {
   requirePoints(all_.points);
@@ -61,9 +61,9 @@ WorkingSet::WorkingSet(PointSet points,
       drawn_.push_back(all_.points[static_cast<std::size_t>(position)]);
   }
   field_ = std::make_unique<DistanceField>(surface.empty() ? this->points() : surface,
-                                           std::move(search));
+                                           options);
   if (!position_.empty())
-    findFollowed(surface.empty(), execution);
+    findFollowed(surface.empty(), options.execution);
 }
 
 void
@@ -112,12 +112,14 @@ WorkingSet::carryOn(const SeedProposal& proposal, std::size_t cloud_size) const
     carried.seeds.push_back(all_.source[position]);
   }
   carried.group.assign(cloud_size, -1);
-  carried.cid.assign(cloud_size, std::numeric_limits<float>::quiet_NaN());
+  if (!proposal.cid.empty())
+    carried.cid.assign(cloud_size, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const auto to = static_cast<std::size_t>(all_.source[i]);
     const auto from = position_.empty() ? i : static_cast<std::size_t>(follows_[i]);
     carried.group[to] = proposal.group[from];
-    carried.cid[to] = proposal.cid[from];
+    if (!proposal.cid.empty())
+      carried.cid[to] = proposal.cid[from];
   }
   return carried;
 }

@@ -118,6 +118,12 @@ addField(const std::string& name,
   return cloud.fields.back();
 }
 
+std::uint64_t
+bytesLeft(std::istream& stream, std::uint64_t size)
+{
+  return stream.eof() ? 0 : size - static_cast<std::uint64_t>(stream.tellg());
+}
+
 std::string
 countOf(std::size_t count, const std::string& thing)
 {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <istream>
 #include <string>
 #include <string_view>
 
@@ -95,6 +96,11 @@ addField(const std::string& name,
          std::uint8_t datatype,
          std::uint32_t count,
          pcl::PCLPointCloud2& cloud);
+
+/** \brief Bytes of a file that a stream has not read yet.
+ *  \param[in] size of the file */
+std::uint64_t
+bytesLeft(std::istream& stream, std::uint64_t size);
 
 /** \brief "3400 points", "1 point". */
 std::string

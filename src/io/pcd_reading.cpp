@@ -10,61 +10,37 @@
 #include "../core/validation.h"
 #include "field_values.h"
 #include "pcd_format.h"
+#include "pcd_header.h"
 
+#include <algorithm>
 #include <array>
-#include <limits>
-#include <optional>
-#include <sstream>
+#include <cstring>
+#include <string_view>
 
 #include <pcl/io/lzf.h>
 
 namespace pcl_cid {
 namespace {
 
-using Words = std::vector<std::string>;
-
-constexpr std::uint64_t largest_count = std::numeric_limits<std::int32_t>::max();
-
-/** One entry of FIELDS with its SIZE, TYPE and COUNT. */
-struct Column {
-  std::string name;
-  std::uint8_t datatype = pcl::PCLPointField::FLOAT32;
-  std::uint32_t count = 1;
-  /** Where its values go in a point; of no meaning for padding. */
-  std::uint32_t offset = 0;
-
-  bool
-  isPadding() const
-  {
-    return name == "_";
-  }
-
-  std::size_t
-  bytes() const
-  {
-    return count * sizeOf(datatype);
-  }
-};
-
 /** Reads one file; each member function is one part of it. */
 class PCDReading {
 public:
   PCDReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
-  : stream_(stream), size_(size), cloud_(cloud)
+  : stream_(stream)
+  , header_(readPCDHeader(stream, cloud.name))
+  , body_size_(bytesLeft(stream, size))
+  , line_(header_.lines)
+  , cloud_(cloud)
   {
   }
 
   void
   read()
   {
-    readHeader();
-    makeColumns();
-    makeShape();
-    const std::uint64_t position = static_cast<std::uint64_t>(stream_.tellg());
-    body_size_ = size_ - position;
-    if (cloud_.format == CloudFormat::pcd_ascii)
+    makeFields();
+    if (header_.format == CloudFormat::pcd_ascii)
       readAscii();
-    else if (cloud_.format == CloudFormat::pcd_binary)
+    else if (header_.format == CloudFormat::pcd_binary)
       readBinary();
     else
       readCompressed();
@@ -79,148 +55,16 @@ private:
   }
 
   void
-  readHeader()
+  makeFields()
   {
-    std::string line;
-    while (data_.empty()) {
-      if (!std::getline(stream_, line))
-        fail("the PCD header ends without a DATA entry; the file is truncated");
-      ++line_;
-      std::istringstream words(line);
-      std::string key;
-      if (!(words >> key) || key.front() == '#')
-        continue;
-      Words values;
-      for (std::string word; words >> word;)
-        values.push_back(word);
-      takeEntry(key, values);
-    }
-    if (data_ == "ascii")
-      cloud_.format = CloudFormat::pcd_ascii;
-    else if (data_ == "binary")
-      cloud_.format = CloudFormat::pcd_binary;
-    else if (data_ == "binary_compressed")
-      cloud_.format = CloudFormat::pcd_binary_compressed;
-    else
-      fail("DATA is ", data_, "; it must be ascii, binary or binary_compressed");
-  }
-
-  void
-  takeEntry(const std::string& key, const Words& values)
-  {
-    if (key == "VERSION")
-      return;
-    if (values.empty())
-      fail("line ", line_, ": ", key, " has no value");
-    if (key == "FIELDS" || key == "COLUMNS")
-      names_ = values;
-    else if (key == "SIZE")
-      sizes_ = values;
-    else if (key == "TYPE")
-      types_ = values;
-    else if (key == "COUNT")
-      counts_ = values;
-    else if (key == "WIDTH")
-      width_ = wholeNumber(key, values.front());
-    else if (key == "HEIGHT")
-      height_ = wholeNumber(key, values.front());
-    else if (key == "POINTS")
-      points_ = wholeNumber(key, values.front());
-    else if (key == "VIEWPOINT")
-      takePose(values);
-    else if (key == "DATA")
-      data_ = values.front();
-    else if (names_.empty())
-      fail("is neither a PCD nor a PLY file");
-    else
-      fail("line ", line_, ": '", key.substr(0, 32), "' is no entry of a PCD header");
-  }
-
-  std::uint64_t
-  wholeNumber(const std::string& key, const std::string& word) const
-  {
-    std::uint64_t value = 0;
-    if (!parseValue(word,
-                    pcl::PCLPointField::UINT64,
-                    reinterpret_cast<std::uint8_t*>(&value)) ||
-        value > largest_count)
-      fail(key, " is ", word, "; it must be a whole number, 0 to ", largest_count);
-    return value;
-  }
-
-  void
-  takePose(const Words& values)
-  {
-    std::array<float, 7> pose{};
-    bool good = values.size() == pose.size();
-    for (std::size_t i = 0; good && i < pose.size(); ++i)
-      good = parseValue(values[i],
-                        pcl::PCLPointField::FLOAT32,
-                        reinterpret_cast<std::uint8_t*>(&pose[i]));
-    if (!good)
-      fail("line ", line_, ": VIEWPOINT must be 7 numbers (x y z, qw qx qy qz)");
-    cloud_.sensor_origin = Eigen::Vector4f(pose[0], pose[1], pose[2], 0.0f);
-    cloud_.sensor_orientation = Eigen::Quaternionf(pose[3], pose[4], pose[5], pose[6]);
-  }
-
-  void
-  makeColumns()
-  {
-    requireOneEach("SIZE", sizes_);
-    requireOneEach("TYPE", types_);
-    requireOneEach("COUNT", counts_);
-    std::uint64_t step = 0;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      Column column;
-      column.name = names_[i];
-      if (!sizes_.empty() && !types_.empty())
-        column.datatype =
-            datatypeOf(types_[i].size() == 1 ? types_[i].front() : '?',
-                       static_cast<std::size_t>(wholeNumber("SIZE", sizes_[i])));
-      if (column.datatype == 0)
-        fail("field '",
-             names_[i],
-             "' has TYPE ",
-             types_[i],
-             " and SIZE ",
-             sizes_[i],
-             "; known are I and U with 1, 2, 4, 8 and F with 4, 8");
-      if (!counts_.empty())
-        column.count = static_cast<std::uint32_t>(wholeNumber("COUNT", counts_[i]));
-      if (column.count == 0)
-        fail("field '", names_[i], "' has COUNT 0; it must be at least 1");
-      step += static_cast<std::uint64_t>(column.count) * sizeOf(column.datatype);
-      if (step > largest_count)
-        fail("a point has more than ", largest_count, " bytes");
-      columns_.push_back(column);
-    }
-    for (Column& column : columns_)
+    cloud_.format = header_.format;
+    cloud_.sensor_origin = header_.origin;
+    cloud_.sensor_orientation = header_.orientation;
+    cloud_.fields.width = header_.width;
+    cloud_.fields.height = header_.height;
+    for (const PCDColumn& column : header_.columns)
       if (!column.isPadding())
-        column.offset =
-            addField(column.name, column.datatype, column.count, cloud_.fields).offset;
-  }
-
-  void
-  requireOneEach(const char* key, const Words& values) const
-  {
-    if (!values.empty() && values.size() != names_.size())
-      fail(key, " has ", values.size(), " values for ", names_.size(), " FIELDS");
-  }
-
-  void
-  makeShape()
-  {
-    const std::uint64_t width = width_.value_or(points_.value_or(0));
-    const std::uint64_t height = height_.value_or(1);
-    const std::uint64_t points = points_.value_or(width * height);
-    if (width * height != points)
-      fail("WIDTH ", width, " x HEIGHT ", height, " is not POINTS ", points);
-    if (points == 0)
-      fail("holds no points; at least 1 is needed");
-    if (points > largest_count)
-      fail("holds ", points, " points; at most ", largest_count, " are possible");
-    cloud_.fields.width = static_cast<std::uint32_t>(width);
-    cloud_.fields.height = static_cast<std::uint32_t>(height);
+        addField(column.name, column.datatype, column.count, cloud_.fields);
     cloud_.fields.row_step = cloud_.fields.point_step * cloud_.fields.width;
   }
 
@@ -240,7 +84,7 @@ private:
   valuesOfPoint() const
   {
     std::size_t values = 0;
-    for (const Column& column : columns_)
+    for (const PCDColumn& column : header_.columns)
       values += column.count;
     return values;
   }
@@ -278,7 +122,7 @@ private:
   {
     constexpr std::string_view blanks = " \t\r";
     std::uint8_t padding[8];
-    for (const Column& column : columns_)
+    for (const PCDColumn& column : header_.columns)
       for (std::uint32_t k = 0; k < column.count; ++k) {
         line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
         const std::string_view word = line.substr(0, line.find_first_of(blanks));
@@ -312,7 +156,7 @@ private:
   readBinary()
   {
     std::size_t file_step = 0;
-    for (const Column& column : columns_)
+    for (const PCDColumn& column : header_.columns)
       file_step += column.bytes();
     const std::uint64_t needed = static_cast<std::uint64_t>(file_step) * cloud_.size();
     if (body_size_ < needed)
@@ -323,7 +167,7 @@ private:
     for (std::size_t i = 0; i < cloud_.size(); ++i) {
       readBytes(row.data(), row.size());
       const char* source = row.data();
-      for (const Column& column : columns_) {
+      for (const PCDColumn& column : header_.columns) {
         if (!column.isPadding())
           std::memcpy(point + column.offset, source, column.bytes());
         source += column.bytes();
@@ -369,7 +213,7 @@ private:
   void
   unpackFields(const std::uint8_t* source)
   {
-    for (const Column& column : columns_) {
+    for (const PCDColumn& column : header_.columns) {
       if (column.isPadding())
         continue;
       std::uint8_t* target = cloud_.fields.data.data() + column.offset;
@@ -396,14 +240,10 @@ private:
   }
 
   std::istream& stream_;
-  std::uint64_t size_;
+  const PCDHeader header_;
+  const std::uint64_t body_size_;
+  std::size_t line_;
   LabelledCloud& cloud_;
-  std::uint64_t body_size_ = 0;
-  std::size_t line_ = 0;
-  Words names_, sizes_, types_, counts_;
-  std::optional<std::uint64_t> width_, height_, points_;
-  std::string data_;
-  std::vector<Column> columns_;
 };
 
 } // namespace

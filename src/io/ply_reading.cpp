@@ -78,7 +78,7 @@ public:
   PLYReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
   : stream_(stream)
   , header_(readPLYHeader(stream, cloud.name))
-  , body_size_(size - static_cast<std::uint64_t>(stream.tellg()))
+  , body_size_(bytesLeft(stream, size))
   , cloud_(cloud)
   {
   }

@@ -96,12 +96,14 @@ TEST(DistanceField, UsesTheSearchItIsGiven)
 {
   const Points surface = randomCube(200, 14);
   const auto search = pcl::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>();
-  const DistanceField with_brute_force(surface, search);
+  DistanceField::Options options;
+  options.search = search;
+  const DistanceField with_brute_force(surface, options);
   const DistanceField with_tree(surface);
-  ASSERT_TRUE(search->getInputCloud());
-  EXPECT_EQ(search->getInputCloud()->size(), surface.size());
   for (const Eigen::Vector3f& x : probes(surface))
     EXPECT_EQ(with_brute_force.distance(x), with_tree.distance(x));
+  ASSERT_TRUE(search->getInputCloud());
+  EXPECT_EQ(search->getInputCloud()->size(), surface.size());
 }
 
 TEST(DistanceField, RefusesAnEmptySurface)

@@ -10,9 +10,11 @@
 #include "clouds.h"
 #include "oracle.h"
 
+#include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -78,7 +80,7 @@ TEST_P(TraversalOfClouds, ExtensionEqualsOneRun)
 TEST_P(TraversalOfClouds, GroupingByTheSameSeedsGivesTheSameGroups)
 {
   const SeedProposal proposed = proposeSeeds(field_, points_, 0, optionsFor(8));
-  expectSame(groupBySeeds(field_, points_, proposed.seeds, 40, {}), proposed);
+  expectSame(groupBySeeds(field_, points_, proposed.seeds, 40, true, {}), proposed);
 }
 
 TEST_P(TraversalOfClouds, SameBytesForEveryNumberOfThreads)
@@ -132,6 +134,66 @@ TEST(SeedProposal, AgreesWithTheOracleOnCropsOfRealScans)
     expectAgreesWithAlgorithm1(proposal, points, points, 50);
     expectTraversalInvariants(proposal, points.size());
   }
+}
+
+/** Algorithm 1 with the library's own pointCID() for every pair: no block, no bound. */
+SeedProposal
+proposeByAllPairs(const DistanceField& field,
+                  const Points& points,
+                  const SeedProposalOptions& options)
+{
+  SeedProposal proposal;
+  proposal.group.assign(points.size(), -1);
+  proposal.cid.assign(points.size(), INFINITY);
+  std::size_t next = 0;
+  do {
+    const auto number = static_cast<pcl::index_t>(proposal.seeds.size());
+    proposal.seeds.push_back(static_cast<pcl::index_t>(next));
+    const Eigen::Vector3f seed = points[next];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const float cid = pointCID(field, points[i], seed, options.samples);
+      if (cid < proposal.cid[i]) {
+        proposal.cid[i] = cid;
+        proposal.group[i] = number;
+      }
+    }
+    const auto largest = std::max_element(proposal.cid.begin(), proposal.cid.end());
+    next = static_cast<std::size_t>(largest - proposal.cid.begin());
+    proposal.coverage.push_back(*largest);
+  } while (proposal.seeds.size() < options.seeds && proposal.coverage.back() > 0.0f);
+  return proposal;
+}
+
+TEST(SeedProposal, EqualsAllPairsToTheBitOnLargerClouds)
+{
+  std::vector<NamedPoints> clouds = {{"two_boxes", twoBoxes(4000, 38)},
+                                     {"cube", randomCube(1500, 39)}};
+  for (const char* name :
+       {"office1.pcd", "room_scan1.pcd", "milk_cartoon_all_small_clorox.pcd"})
+    if (const auto scan = loadSharedScan(name))
+      clouds.push_back({name, crop(*scan, 4000, 11)});
+  for (const NamedPoints& cloud : clouds) {
+    const DistanceField field(cloud.points);
+    SeedProposalOptions options = optionsFor(30, 100);
+    const SeedProposal expected = proposeByAllPairs(field, cloud.points, options);
+    expectSame(proposeSeeds(field, cloud.points, 0, options), expected);
+    options.keep_cid = false;
+    const SeedProposal groups_only = proposeSeeds(field, cloud.points, 0, options);
+    EXPECT_EQ(groups_only.group, expected.group) << cloud.name;
+    EXPECT_EQ(groups_only.seeds, expected.seeds) << cloud.name;
+    EXPECT_TRUE(groups_only.cid.empty());
+  }
+}
+
+TEST(SeedProposal, CorrectiveSeedsJoinAsIfTheyHadBeenThere)
+{
+  const Points points = twoBoxes(800, 40);
+  const DistanceField field(points);
+  SeedProposal corrected = proposeSeeds(field, points, 0, optionsFor(8));
+  pcl::Indices all = corrected.seeds;
+  all.insert(all.end(), {17, 402, 17});
+  addSeeds(field, points, {17, 402, 17}, 40, {}, corrected);
+  expectSame(corrected, groupBySeeds(field, points, all, 40, true, {}));
 }
 
 TEST(SeedProposal, DuplicatesNeverBecomeSeeds)
@@ -193,7 +255,7 @@ TEST(SeedProposal, GivenSeedsMayRepeatAndTheEarlierKeepsThePoints)
 {
   const Points points = randomCube(100, 34);
   const SeedProposal proposal =
-      groupBySeeds(DistanceField(points), points, {7, 7, 30}, 40, {});
+      groupBySeeds(DistanceField(points), points, {7, 7, 30}, 40, true, {});
   EXPECT_EQ(proposal.seeds, (pcl::Indices{7, 7, 30}));
   for (const pcl::index_t group : proposal.group)
     EXPECT_NE(group, 1);
@@ -239,8 +301,8 @@ TEST(SeedProposal, RefusesBadValues)
   EXPECT_THROW(proposeSeeds(field, points, 10, optionsFor(3)), CIDException);
   EXPECT_THROW(proposeSeeds(field, points, 0, optionsFor(0)), CIDException);
   EXPECT_THROW(proposeSeeds(field, points, 0, optionsFor(3, 1)), CIDException);
-  EXPECT_THROW(groupBySeeds(field, points, {}, 40, {}), CIDException);
-  EXPECT_THROW(groupBySeeds(field, points, {10}, 40, {}), CIDException);
+  EXPECT_THROW(groupBySeeds(field, points, {}, 40, true, {}), CIDException);
+  EXPECT_THROW(groupBySeeds(field, points, {10}, 40, true, {}), CIDException);
   for (const float coverage : {-0.1f, NAN, INFINITY}) {
     SeedProposalOptions options = optionsFor(3);
     options.coverage = coverage;

@@ -37,7 +37,7 @@ WorkingSet
 draw(const PointSet& set, std::size_t subsample, const pcl::Indices& always, int seed)
 {
   RandomGenerator generator(static_cast<std::uint64_t>(seed));
-  return WorkingSet(set, {}, nullptr, subsample, always, generator, {});
+  return WorkingSet(set, {}, {}, subsample, always, generator);
 }
 
 TEST(WorkingSet, WithoutSubsampleIsEverything)
@@ -117,7 +117,7 @@ TEST(WorkingSet, ASurfaceOfItsOwnIsMeasuredAgainst)
   const PointSet set = sparseSet(80);
   RandomGenerator generator(0);
   const Points surface = randomCube(33, 62);
-  const WorkingSet working(set, surface, nullptr, 20, {}, generator, {});
+  const WorkingSet working(set, surface, {}, 20, {}, generator);
   EXPECT_EQ(working.field().size(), 33u);
   EXPECT_EQ(working.points().size(), 20u);
 }

@@ -11,6 +11,8 @@
 
 #include <pcl_cid/core/random.h>
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 namespace pcl_cid::test {
@@ -213,6 +215,8 @@ protected:
   bool
   isRead(const std::string& content)
   {
+    // A new file each time: some file systems flush one that is written over.
+    std::filesystem::remove(path_);
     writeText(path_, content);
     try {
       const LabelledCloud cloud = readCloud(path_);

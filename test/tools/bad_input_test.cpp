@@ -202,8 +202,8 @@ TEST_F(BadInput, AnInterruptLeavesNothing)
         "pcl_cid_segment",
         {PCL_CID_DATA_DIR "/room.pcd", file("out.pcd"), "--seeds", "5000"},
         printed_);
-    while (process.printedSoFar().empty()) // "Loading ... done"
-      usleep(10000);
+    for (int wait = 0; wait < 1000 && process.printedSoFar().empty(); ++wait)
+      usleep(10000); // until "Loading ... done"
     process.signal(signal);
     const ToolRun done = process.wait();
     EXPECT_EQ(done.exit_code, 128 + signal);

@@ -13,6 +13,7 @@
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/pcl_cid_export.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -21,13 +22,13 @@
 namespace pcl_cid {
 
 /** \brief The settings that all classes of pcl_cid share. Every setter refuses a bad
- * value at once with a CIDException and then changes nothing. */
+ *  value at once with a CIDException and then changes nothing. */
 class PCL_CID_EXPORT CIDParameters {
 public:
   using Search = DistanceField::Search;
 
   /** \brief K, the number of seeds: at least 1; default 100, as in the paper. Fewer
-   * come back when the cloud has fewer distinct points. */
+   *  come back when the cloud has fewer distinct points. */
   void
   setNumberOfSeeds(int number_of_seeds);
 
@@ -39,7 +40,7 @@ public:
 
   /** \brief Stop adding seeds as soon as every point is within this CID of its seed
    *  (*ours*): metres, 0 or more; default 0. Whichever of the two stops comes first
-   * counts, so ask for as many seeds as the guarantee may cost. */
+   *  counts, so ask for as many seeds as the guarantee may cost. */
   void
   setCoverage(float coverage);
 
@@ -61,8 +62,8 @@ public:
   }
 
   /** \brief Work on a random draw of this many points (the paper: 20,000), and let
-   * every other point follow its Euclidean-nearest one; 0, the default, works on all of
-   * them. */
+   *  every other point follow its Euclidean-nearest one; 0, the default, works on all
+   *  of them. */
   void
   setSubsample(int subsample);
 
@@ -86,7 +87,7 @@ public:
   }
 
   /** \brief Begin the traversal at this point of the input cloud instead of a random
-   * one: 0 or more; the verb then requires it to be a finite, selected point. */
+   *  one: 0 or more; the verb then requires it to be a finite, selected point. */
   void
   setStartIndex(pcl::index_t start_index);
 
@@ -104,7 +105,7 @@ public:
   }
 
   /** \brief The points of the input cloud that may become seeds; null, the default,
-   * means all that are grouped. Those that are not grouped are passed over. */
+   *  means all that are grouped. Those that are not grouped are passed over. */
   void
   setSeedCandidates(const pcl::IndicesConstPtr& seed_candidates)
   {
@@ -117,9 +118,10 @@ public:
     return seed_candidates_;
   }
 
-  /** \brief Who answers nearest-neighbour queries; null, the default, means
-   *  pcl::search::KdTree, which is pcl::KdTreeFLANN. It is given the surface about a
-   * local origin, as PointXYZ; it must be exact and safe for concurrent queries. */
+  /** \brief Who answers nearest-neighbour queries away from the surface; null, the
+   *  default, leaves it to pcl_cid and pcl::KdTreeFLANN (see DistanceField). It is
+   *  given the surface about a local origin, as PointXYZ; it must be exact and safe for
+   *  concurrent queries. */
   void
   setSearchMethod(const Search::Ptr& search_method)
   {
@@ -130,6 +132,20 @@ public:
   getSearchMethod() const
   {
     return search_method_;
+  }
+
+  /** \brief Bytes that the index of the surface may take (see DistanceField); 0, the
+   *  default, means a quarter of the machine's memory. Never changes a result. */
+  void
+  setMemoryBudget(std::size_t memory_budget = 0)
+  {
+    memory_budget_ = memory_budget;
+  }
+
+  std::size_t
+  getMemoryBudget() const
+  {
+    return memory_budget_;
   }
 
   /** \brief Number of threads; 0, the default, means all. */
@@ -161,7 +177,7 @@ public:
 
 protected:
   /** \brief Threads, and the callback told fractions from \a begin to \a end: the share
-   * of a verb that one of its steps makes up. */
+   *  of a verb that one of its steps makes up. */
   ExecutionOptions
   execution(double begin, double end) const;
 
@@ -174,6 +190,7 @@ private:
   std::optional<pcl::index_t> start_index_;
   pcl::IndicesConstPtr seed_candidates_;
   Search::Ptr search_method_;
+  std::size_t memory_budget_ = 0;
   unsigned int number_of_threads_ = 0;
   ProgressCallback progress_;
 };

@@ -17,15 +17,15 @@
 namespace pcl_cid {
 
 /** \brief Fewest and most samples on a segment (M). Up to the upper limit the position
- * of a sample is exact to the last bit of float. */
+ *  of a sample is exact to the last bit of float. */
 constexpr int min_samples = 2;
 constexpr int max_samples = 1 << 20;
 
 /** \brief Sample l of M on the segment pq: x_l = p + (q - p) l / (M - 1).
  *
- *  Written as (p (M - 1 - l) + q l) / (M - 1) in double: sample l of pq and sample
- *  M - 1 - l of qp are then the same to the bit, which makes CID symmetric to the bit;
- *  both ends are exactly p and q, and every sample of a segment of length 0 is p.
+ *  Written as (p (M - 1 - l) + q l) / (M - 1) in double: sample l of pq and sample M -
+ *  1 - l of qp are then the same to the bit, which makes CID symmetric to the bit; both
+ *  ends are exactly p and q, and every sample of a segment of length 0 is p.
  *  \param[in] sample l, 0 to samples - 1
  *  \param[in] samples M, min_samples to max_samples */
 inline Eigen::Vector3f
@@ -41,7 +41,7 @@ segmentSample(const Eigen::Vector3f& p,
 }
 
 /** \brief CID_p(p, q | S) by Eq. 2: the largest d(x; S) over M equally spaced samples
- * of the segment pq, both ends included.
+ *  of the segment pq, both ends included.
  *
  *  Exact, yet most samples are never looked at: d is 1-Lipschitz, so its values at two
  *  samples bound it in between (*ours*).
@@ -61,11 +61,14 @@ pointCID(const DistanceField& field,
 
 /** \brief CID_p(p, q | S) by Eq. 1 itself: the largest d(x; S) over the whole segment,
  *  found by bisection where the 1-Lipschitz bound leaves room for a larger value
- * (*ours*). \param[in] field the surface S \param[in] p,q ends of the segment, metres,
- * in the frame of the surface \param[in] tolerance in metres, above 0; the coordinates
- * are float, so a tolerance below their resolution ends where they do \return a value v
- * with v <= CID_p <= v + tolerance \throws CIDException when the tolerance is not above
- * 0 \note Cost: at most about |pq| / tolerance queries; far fewer where d varies. */
+ *  (*ours*).
+ *  \param[in] field the surface S
+ *  \param[in] p,q ends of the segment, metres, in the frame of the surface
+ *  \param[in] tolerance in metres, above 0; the coordinates are float, so a tolerance
+ *  below their resolution ends where they do
+ *  \return a value v with v <= CID_p <= v + tolerance
+ *  \throws CIDException when the tolerance is not above 0
+ *  \note Cost: at most about |pq| / tolerance queries; far fewer where d varies. */
 PCL_CID_EXPORT float
 continuousPointCID(const DistanceField& field,
                    const Eigen::Vector3f& p,
@@ -73,7 +76,7 @@ continuousPointCID(const DistanceField& field,
                    float tolerance);
 
 /** \brief CID_g(G_i, G_j | S) by Eq. 3: the mean of CID_p over all pairs of the two
- * groups, added up in double, in the order of the groups. Symmetric up to that order.
+ *  groups, added up in double, in the order of the groups. Symmetric up to that order.
  *  \param[in] field the surface S
  *  \param[in] first,second points of the two groups, or of samples of them; not empty
  *  \param[in] samples M of each pair, min_samples to max_samples

@@ -9,36 +9,75 @@
 
 #pragma once
 
+#include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/point_set.h>
 #include <pcl_cid/pcl_cid_export.h>
 
-#include <pcl/point_cloud.h>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+
 #include <pcl/point_types.h>
 #include <pcl/search/search.h>
 
 namespace pcl_cid {
 
+class BlockTree;
+class DistanceGrid;
+
+/** \brief Certified: low <= d(x; S) <= high, metres. */
+struct DistanceBounds {
+  float low;
+  float high;
+};
+
 /** \brief The distance d(x; S) = min over k of |x - p_k| to a finite set of points S,
- * the *search surface* of the paper (section III.A).
+ *  the *search surface* of the paper (section III.A).
  *
- *  Exact: the float nearest to the minimum over all points of the float squared
- *  distance, whatever the search method. 1-Lipschitz in x.
- *  Cost: O(log |S|) a query. Thread safety: const calls may run concurrently. */
+ *  distance() is exact: the square root of the smallest float squared distance over all
+ *  points, to the bit the same however it is found. An adaptive grid knows, for nearly
+ *  all of space, which few points can be nearest; elsewhere a tree of the points
+ *  answers, or the search method that is given. bounds() are certified and several
+ *  times cheaper.
+ *
+ *  Cost: building is O(|S| log |S|) and takes about 150 bytes a point, less where a
+ *  budget says so. Thread safety: const calls may run concurrently. */
 class PCL_CID_EXPORT DistanceField {
 public:
-  /** \brief Who answers a nearest-neighbour query. It is given the surface with
+  /** \brief Who answers nearest-neighbour queries. It is given the surface with
    *  setInputCloud(), must be exact, and safe for concurrent queries. */
   using Search = pcl::search::Search<pcl::PointXYZ>;
 
+  struct Options {
+    /** Answers where the grid does not, and nearest(). Null: the tree of the grid, and
+     *  pcl::search::KdTree, which is pcl::KdTreeFLANN, for nearest(). */
+    Search::Ptr search;
+    /** Bytes that the grid may take; 0 for a quarter of the machine's memory. Less
+     *  memory makes queries slower and changes no answer. */
+    std::size_t memory_budget = 0;
+    /** Threads and progress of the building; never change an answer. */
+    ExecutionOptions execution;
+  };
+
   /** \brief Build the field of a surface.
    *  \param[in] surface finite points, relative to a local origin (see PointSet),
-   * metres \param[in] search null for pcl::search::KdTree, which is pcl::KdTreeFLANN
-   *  \throws CIDException when the surface is empty */
-  explicit DistanceField(const Points& surface, Search::Ptr search = nullptr);
+   *  metres
+   *  \param[in] options see Options
+   *  \throws CIDException when the surface is empty, CIDCancelled */
+  DistanceField(const Points& surface, const Options& options);
+  explicit DistanceField(const Points& surface);
+  ~DistanceField();
+  DistanceField(const DistanceField&) = delete;
+  DistanceField&
+  operator=(const DistanceField&) = delete;
 
   /** \brief d(x; S), in the unit of the coordinates. */
   float
   distance(const Eigen::Vector3f& x) const;
+
+  /** \brief Certified bounds of d(x; S), without a search. */
+  DistanceBounds
+  bounds(const Eigen::Vector3f& x) const;
 
   /** \brief The index in the surface of a point at distance d(x; S) from x. */
   pcl::index_t
@@ -48,12 +87,37 @@ public:
   std::size_t
   size() const
   {
-    return surface_->size();
+    return size_;
+  }
+
+  /** \brief Whether these are the points of the surface, in their order. */
+  bool
+  isSurface(const Points& points) const;
+
+  /** \brief The surface in blocks of neighbours. */
+  const BlockTree&
+  blocks() const
+  {
+    return *tree_;
+  }
+
+  /** \brief The grid of bounds. */
+  const DistanceGrid&
+  grid() const
+  {
+    return *grid_;
   }
 
 private:
-  pcl::PointCloud<pcl::PointXYZ>::Ptr surface_;
-  Search::Ptr search_;
+  const Search&
+  search() const;
+
+  std::size_t size_;
+  std::unique_ptr<BlockTree> tree_;
+  std::unique_ptr<DistanceGrid> grid_;
+  bool has_own_search_; ///< a search method was given
+  mutable Search::Ptr search_;
+  mutable std::once_flag search_ready_; ///< pcl::KdTreeFLANN is built when first asked
 };
 
 } // namespace pcl_cid

@@ -14,9 +14,9 @@
 namespace pcl_cid {
 
 /** \brief Called during long work with the fraction done, 0 to 1, never falling;
- * returns false to cancel. Always called from the thread that started the work, a few
- * times to about twenty times a second. An exception it throws ends the work and
- * reaches the caller. */
+ *  returns false to cancel. Always called from the thread that started the work, a few
+ *  times to about twenty times a second. An exception it throws ends the work and
+ *  reaches the caller. */
 using ProgressCallback = std::function<bool(double fraction)>;
 
 /** \brief How to run; never changes a result. */

@@ -49,8 +49,8 @@ struct MergeCut {
  *
  *  CID_g is a mean over pairs (Eq. 3), so the merges are an average linkage, whose
  *  heights never fall (up to rounding): one dendrogram holds the result for every
- * number of merges, number of parts and threshold (*ours*). A cut gives the number of
- * the part of each group; parts are numbered 0, 1, ... by their lowest group. */
+ *  number of merges, number of parts and threshold (*ours*). A cut gives the number of
+ *  the part of each group; parts are numbered 0, 1, ... by their lowest group. */
 class PCL_CID_EXPORT MergeTree {
 public:
   /** \brief No groups. */
@@ -87,7 +87,9 @@ public:
   cutAfterMerges(std::size_t merges) const;
 
   /** \brief The part of each group when K' parts remain (all groups when there are
-   * fewer). \param[in] parts K', at least 1 \throws CIDException when it is 0 */
+   *  fewer).
+   *  \param[in] parts K', at least 1
+   *  \throws CIDException when it is 0 */
   std::vector<int>
   cutAtParts(std::size_t parts) const;
 
@@ -121,11 +123,12 @@ struct GroupMergingOptions {
 /** \brief Algorithm 2 (group merging), run to the end.
  *
  *  The K x K matrix of CID_g is estimated once, from a stratified draw: the members of
- * a group, in the order of the points, are cut into `group_samples` runs of equal
- * length and one point is drawn from each. A merge replaces two rows by their mean
- * weighted with the true group sizes (Lance-Williams), which is what computing CID_g
- * again would give. Equal CID_g: the pair of lowest numbers first. \param[in] field the
- * surface S \param[in] points the grouped points, in the frame of the surface
+ *  a group, in the order of the points, are cut into `group_samples` runs of equal
+ *  length and one point is drawn from each. A merge replaces two rows by their mean
+ *  weighted with the true group sizes (Lance-Williams), which is what computing CID_g
+ *  again would give. Equal CID_g: the pair of lowest numbers first.
+ *  \param[in] field the surface S
+ *  \param[in] points the grouped points, in the frame of the surface
  *  \param[in] group number of the group of each point, 0 to groups - 1; -1 for none
  *  \param[in] groups K; every group has at least 1 point
  *  \param[in] options sampling, threads, progress

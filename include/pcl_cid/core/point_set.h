@@ -28,8 +28,8 @@ using Points = std::vector<Eigen::Vector3f>;
  *  The origin is subtracted in double precision before anything is computed, so a cloud
  *  at UTM coordinates gives the result of the same cloud at the origin, up to the
  *  resolution of its own coordinates. The origin is a multiple of a power of two that
- * is no smaller than the cloud, and 0 for a cloud near zero: the subtraction is exact.
- */
+ *  is no smaller than the cloud, and 0 for a cloud near zero: the subtraction is
+ *  exact. */
 struct PCL_CID_EXPORT PointSet {
   /** What was subtracted. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -46,7 +46,7 @@ struct PCL_CID_EXPORT PointSet {
   PointSet(Points coordinates, pcl::Indices source);
 
   /** \brief Keep the finite points, relative to a given origin: that of the surface
-   * that they are measured against. */
+   *  that they are measured against. */
   PointSet(Points coordinates, pcl::Indices source, const Eigen::Vector3d& origin);
 
   std::size_t

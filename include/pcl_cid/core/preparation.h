@@ -30,11 +30,12 @@ struct Preparation {
 /** \brief Draw the working set, with the start or the given seeds in it.
  *  \param[in] points finite points that are grouped, `source` ascending
  *  \param[in] surface points of S about the same origin; empty for the points
- * themselves \param[in] given_seeds indices of the input cloud; empty for a start,
- * given or drawn \param[in] parameters see CIDParameters \param[in] execution threads
- * and progress \throws CIDException when there is no finite point, when a seed, the
- * start or a candidate is not one of them, or when coordinates are too large to square
- */
+ *  themselves
+ *  \param[in] given_seeds indices of the input cloud; empty for a start, given or drawn
+ *  \param[in] parameters see CIDParameters
+ *  \param[in] execution threads and progress
+ *  \throws CIDException when there is no finite point, when a seed, the start or a
+ *  candidate is not one of them, or when coordinates are too large to square */
 PCL_CID_EXPORT Preparation
 prepare(PointSet points,
         const Points& surface,
@@ -44,11 +45,22 @@ prepare(PointSet points,
 
 /** \brief Algorithm 1 on the working set, from the start of the preparation; warns with
  *  PCL_WARN when fewer seeds than asked for come back.
+ *  \param[in] keep_cid see SeedProposalOptions
  *  \param[in] caller name of the class and verb, for the warning */
 PCL_CID_EXPORT SeedProposal
 propose(const Preparation& preparation,
         const CIDParameters& parameters,
+        bool keep_cid,
         const ExecutionOptions& execution,
         const char* caller);
+
+/** \brief Go on with a proposal that propose() made with its CIDs, up to the number of
+ *  seeds that the parameters ask for now. */
+PCL_CID_EXPORT void
+extend(const Preparation& preparation,
+       const CIDParameters& parameters,
+       const ExecutionOptions& execution,
+       const char* caller,
+       SeedProposal& proposal);
 
 } // namespace pcl_cid

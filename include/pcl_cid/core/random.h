@@ -14,8 +14,8 @@
 
 namespace pcl_cid {
 
-/** \brief A generator whose sequence the C++ standard fixes (the distributions of
- *  the standard library are not portable, so none of them is used). */
+/** \brief A generator whose sequence the C++ standard fixes (the distributions of the
+ *  standard library are not portable, so none of them is used). */
 using RandomGenerator = std::mt19937_64;
 
 /** \brief Uniform draw from 0, 1, ..., \a count - 1, by rejection.

@@ -4,7 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Algorithm 1: seeds by farthest-first traversal in CID, and the group of each point.
+ * Algorithm 1: seeds by farthest-first traversal in CID, and the group of each
+ * point.
  */
 
 #pragma once
@@ -23,14 +24,15 @@ namespace pcl_cid {
 /** \brief Seeds, and the seed that each point belongs to.
  *
  *  The seeds are in the order in which they were chosen, and nested: the first k of
- * them are what k seeds would have been. */
+ *  them are what k seeds would have been. */
 struct SeedProposal {
   /** Index of each seed among the points. */
   pcl::Indices seeds;
   /** Number (0, 1, ...) of the seed with the smallest CID_p to each point; -1 for a
-   * point that was not grouped. At equal CID the earlier seed keeps the point. */
+   *  point that was not grouped. At equal CID the earlier seed keeps the point. */
   std::vector<pcl::index_t> group;
-  /** CID_p of each point to that seed, metres; NaN for a point that was not grouped. */
+  /** CID_p of each point to that seed, metres; NaN for a point that was not grouped.
+   *  Empty when it was not asked for. */
   std::vector<float> cid;
   /** r_k for each seed: the largest entry of `cid` once that seed was taken in. Never
    *  grows; the last one is a guarantee: every point is within it of its seed. */
@@ -47,6 +49,8 @@ struct SeedProposalOptions {
   int samples = 100;
   /** Points that may become seeds, indices among the points; empty means all. */
   pcl::Indices candidates;
+  /** Fill in `cid`, which about doubles the time and which extendProposal() needs. */
+  bool keep_cid = true;
   ExecutionOptions execution;
 };
 
@@ -54,14 +58,17 @@ struct SeedProposalOptions {
  *  by-product, from a given start.
  *
  *  Again and again the candidate with the largest CID to its seed becomes the next
- * seed; at equal CID the one of lowest index. Exactly K seeds, fewer when `coverage` is
- * reached or when no candidate is left whose CID a seed of its own would lower (a
- * duplicate of a seed never becomes one). The N x K matrix of the paper is never
- * stored: O(N) memory. \param[in] field the surface S \param[in] points the points to
- * be grouped, in the frame of the surface; not empty \param[in] start index of the
- * first seed \param[in] options when to stop \throws CIDException for a setting out of
- * its range, CIDCancelled \note Cost: K N CID evaluations, nearly all given up after
- * one or two samples. Same result for every number of threads. */
+ *  seed; at equal CID the one of lowest index. Exactly K seeds, fewer when `coverage`
+ *  is reached or when no candidate is left whose CID a seed of its own would lower (a
+ *  duplicate of a seed never becomes one). The N x K matrix of the paper is never
+ *  stored: O(N) memory.
+ *  \param[in] field the surface S
+ *  \param[in] points the points to be grouped, in the frame of the surface; not empty
+ *  \param[in] start index of the first seed
+ *  \param[in] options when to stop
+ *  \throws CIDException for a setting out of its range, CIDCancelled
+ *  \note Cost: K N CID evaluations, nearly all given up after one or two samples. Same
+ *  result for every number of threads. */
 PCL_CID_EXPORT SeedProposal
 proposeSeeds(const DistanceField& field,
              const Points& points,
@@ -74,6 +81,7 @@ proposeSeeds(const DistanceField& field,
  *  \param[in] points the points to be grouped, in the frame of the surface
  *  \param[in] seeds indices among the points, at least 1
  *  \param[in] samples M
+ *  \param[in] keep_cid fill in `cid`
  *  \param[in] execution threads and progress
  *  \throws CIDException for a setting out of its range, CIDCancelled */
 PCL_CID_EXPORT SeedProposal
@@ -81,17 +89,32 @@ groupBySeeds(const DistanceField& field,
              const Points& points,
              const pcl::Indices& seeds,
              int samples,
+             bool keep_cid,
              const ExecutionOptions& execution);
 
 /** \brief Go on with Algorithm 1 where a proposal ended, at the cost of the new seeds
- * only: the result is that of one run with all of them. The seeds so far may be given
- * ones (groupBySeeds) or proposed ones. \param[in,out] proposal unchanged when an
- * exception is thrown \param[in] field,points,options as for proposeSeeds;
- * options.seeds counts all seeds */
+ *  only: the result is that of one run with all of them. The seeds so far may be given
+ *  ones (groupBySeeds) or proposed ones.
+ *  \param[in,out] proposal unchanged when an exception is thrown
+ *  \param[in] field,points,options as for proposeSeeds; options.seeds counts all
+ *  seeds */
 PCL_CID_EXPORT void
 extendProposal(const DistanceField& field,
                const Points& points,
                const SeedProposalOptions& options,
                SeedProposal& proposal);
+
+/** \brief Let given seeds join a finished proposal, at the cost of these seeds only:
+ *  corrective seeds, where a first result was wrong. The result is that of groupBySeeds
+ *  with all seeds in that order.
+ *  \param[in,out] proposal with its CIDs; unchanged when an exception is thrown
+ *  \param[in] field,points,seeds,samples,execution as for groupBySeeds */
+PCL_CID_EXPORT void
+addSeeds(const DistanceField& field,
+         const Points& points,
+         const pcl::Indices& seeds,
+         int samples,
+         const ExecutionOptions& execution,
+         SeedProposal& proposal);
 
 } // namespace pcl_cid

@@ -4,13 +4,13 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The points that the method works on, and how its groups are carried on to all others.
+ * The points that the method works on, and how its groups are carried on to all
+ * others.
  */
 
 #pragma once
 
 #include <pcl_cid/core/distance_field.h>
-#include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/random.h>
 #include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/pcl_cid_export.h>
@@ -23,27 +23,25 @@ namespace pcl_cid {
 /** \brief The points that are grouped, or a random draw of them, with the surface that
  *  they are measured against.
  *
- *  Full resolution (the default) works on all the points. The paper's protocol
- *  (section V.A) is a draw of 20,000: those are the surface, the points that are
- * grouped and the candidate seeds in one; every other point follows its
- * Euclidean-nearest one. Positions below count the points of the set that was given. */
+ *  Full resolution (the default) works on all the points. The paper's protocol (section
+ *  V.A) is a draw of 20,000: those are the surface, the points that are grouped and the
+ *  candidate seeds in one; every other point follows its Euclidean-nearest one.
+ *  Positions below count the points of the set that was given. */
 class PCL_CID_EXPORT WorkingSet {
 public:
   /** \brief Draw the set and build the field of its surface.
    *  \param[in] points the points to be grouped, `source` ascending; at least 1
    *  \param[in] surface points of S about the same origin; empty for the points drawn
-   *  \param[in] search see DistanceField
+   *  \param[in] options of the field; its threads and progress serve all of this
    *  \param[in] subsample points to draw; 0, or no fewer than there are, means all
    *  \param[in] always positions that must be drawn (a start, given seeds)
-   *  \param[in,out] generator of the draw
-   *  \param[in] execution threads and progress */
+   *  \param[in,out] generator of the draw */
   WorkingSet(PointSet points,
              const Points& surface,
-             DistanceField::Search::Ptr search,
+             const DistanceField::Options& options,
              std::size_t subsample,
              const pcl::Indices& always,
-             RandomGenerator& generator,
-             const ExecutionOptions& execution);
+             RandomGenerator& generator);
 
   const DistanceField&
   field() const
@@ -59,15 +57,15 @@ public:
   }
 
   /** \brief Index in points() of the point at a position of the set given, -1 when it
-   * was not drawn. */
+   *  was not drawn. */
   pcl::index_t
   indexOf(pcl::index_t position) const;
 
   /** \brief A proposal on points() becomes one on the whole input cloud: seeds are
    *  indices of the cloud; group and cid have an entry for every point of it. A point
-   * that was not drawn takes the group and the cid of the one it follows; a point that
-   * is invalid or not selected gets -1 and NaN. \param[in] cloud_size points of the
-   * input cloud */
+   *  that was not drawn takes the group and the cid of the one it follows; a point that
+   *  is invalid or not selected gets -1 and NaN.
+   *  \param[in] cloud_size points of the input cloud */
   SeedProposal
   carryOn(const SeedProposal& proposal, std::size_t cloud_size) const;
 

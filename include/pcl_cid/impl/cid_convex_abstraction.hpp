@@ -75,8 +75,8 @@ CIDConvexAbstraction<PointT>::decompose(double until)
   merge_tree_ = MergeTree();
   const Preparation ready = this->prepareCompute({});
   const WorkingSet& working = *ready.working;
-  const SeedProposal proposal =
-      propose(ready, *this, this->execution(0.0, 0.5 * until), "CIDConvexAbstraction");
+  const SeedProposal proposal = propose(
+      ready, *this, false, this->execution(0.0, 0.5 * until), "CIDConvexAbstraction");
   GroupMergingOptions options;
   options.group_samples = static_cast<std::size_t>(group_sample_size_);
   options.samples = this->getNumberOfSamples();

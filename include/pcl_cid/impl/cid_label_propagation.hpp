@@ -59,12 +59,14 @@ CIDLabelPropagation<PointT>::groupPoints()
   const ExecutionOptions execution = this->execution(0.0, 1.0);
   const WorkingSet& working = *ready.working;
   const SeedProposal proposal =
-      seeds_.empty() ? propose(ready, *this, execution, "CIDLabelPropagation::segment")
-                     : groupBySeeds(working.field(),
-                                    working.points(),
-                                    ready.seeds,
-                                    this->getNumberOfSamples(),
-                                    execution);
+      seeds_.empty()
+          ? propose(ready, *this, keep_cid_, execution, "CIDLabelPropagation::segment")
+          : groupBySeeds(working.field(),
+                         working.points(),
+                         ready.seeds,
+                         this->getNumberOfSamples(),
+                         keep_cid_,
+                         execution);
   return working.carryOn(proposal, this->input_->size());
 }
 

@@ -20,12 +20,38 @@ CIDSampler<PointT>::sample(pcl::Indices& seeds)
 {
   seeds.clear();
   proposal_ = SeedProposal();
-  const Preparation ready = this->prepareCompute({});
-  const SeedProposal proposal =
-      propose(ready, *this, this->execution(0.0, 1.0), "CIDSampler::sample");
-  proposal_ = ready.working->carryOn(proposal, this->input_->size());
-  seeds = proposal_.seeds;
+  prepared_.reset();
+  auto prepared = std::make_shared<const Preparation>(this->prepareCompute({}));
+  working_proposal_ =
+      propose(*prepared, *this, true, this->execution(0.0, 1.0), "CIDSampler::sample");
+  prepared_ = std::move(prepared);
+  sampled_ = this->input_;
+  publish(seeds);
   this->deinitCompute();
+}
+
+template <typename PointT>
+void
+CIDSampler<PointT>::extend(int number_of_seeds, pcl::Indices& seeds)
+{
+  seeds.clear();
+  if (!prepared_ || sampled_ != this->input_)
+    throw CIDException("there is no sample of this input cloud to extend; call sample");
+  this->setNumberOfSeeds(number_of_seeds);
+  pcl_cid::extend(*prepared_,
+                  *this,
+                  this->execution(0.0, 1.0),
+                  "CIDSampler::extend",
+                  working_proposal_);
+  publish(seeds);
+}
+
+template <typename PointT>
+void
+CIDSampler<PointT>::publish(pcl::Indices& seeds)
+{
+  proposal_ = prepared_->working->carryOn(working_proposal_, this->input_->size());
+  seeds = proposal_.seeds;
 }
 
 } // namespace pcl_cid

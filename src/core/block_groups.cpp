@@ -1,0 +1,481 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The nearest seed of every point, block by block, decided as late as possible.
+ */
+
+#include "block_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_cid {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/** Samples that a node of the tree, which is no block, is tried with. */
+constexpr std::size_t node_samples = 17;
+
+/** A seed is compared with this many subtrees side by side. */
+constexpr std::size_t most_subtrees = 1024;
+
+} // namespace
+
+BlockGroups::BlockGroups(const DistanceField& field,
+                         const Points& points,
+                         int samples,
+                         const ExecutionOptions& execution,
+                         Progress& progress)
+: field_(field)
+, grid_(field.grid())
+, own_tree_(field.isSurface(points)
+                ? nullptr
+                : std::make_unique<BlockTree>(
+                      points, threadCount(execution.threads), progress))
+, tree_(own_tree_ ? *own_tree_ : field.blocks())
+, order_(samples)
+, threads_(threadCount(execution.threads))
+, progress_(progress)
+, states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0})
+, blocks_(tree_.size())
+, upper_(2 * tree_.size(), infinity)
+, slot_of_point_(points.size())
+, barred_(states_.size(), 0)
+{
+  for (std::size_t b = 0; b < tree_.size(); ++b)
+    for (int row = 0; row < tree_.block(b).count; ++row)
+      slot_of_point_[static_cast<std::size_t>(tree_.block(b).index[row])] =
+          static_cast<std::int32_t>(slotOf(b, row));
+}
+
+void
+BlockGroups::restore(const SeedProposal& proposal)
+{
+  for (const pcl::index_t seed : proposal.seeds)
+    seeds_.push_back(tree_.position(slot_of_point_[static_cast<std::size_t>(seed)]));
+  const auto all = static_cast<std::int32_t>(seeds_.size());
+  for (std::size_t i = 0; i < slot_of_point_.size(); ++i)
+    states_[static_cast<std::size_t>(slot_of_point_[i])] = {
+        proposal.cid[i], proposal.cid[i], proposal.group[i], all};
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    blocks_[b].bounded = all;
+    float& upper = upper_[tree_.nodeOfBlock(b)];
+    upper = 0.0f;
+    for (int row = 0; row < tree_.block(b).count; ++row)
+      upper = std::max(upper, states_[slotOf(b, row)].high);
+  }
+  for (std::size_t node = tree_.size() - 1; node > 0; --node)
+    upper_[node] = std::max(upper_[2 * node], upper_[2 * node + 1]);
+}
+
+void
+BlockGroups::setCandidates(const pcl::Indices& candidates)
+{
+  std::fill(barred_.begin(), barred_.end(), 1);
+  for (const pcl::index_t candidate : candidates)
+    barred_[static_cast<std::size_t>(
+        slot_of_point_[static_cast<std::size_t>(candidate)])] = 0;
+}
+
+void
+BlockGroups::addSeed(pcl::index_t seed, ProgressSpan span)
+{
+  const Eigen::Vector3f s =
+      tree_.position(slot_of_point_[static_cast<std::size_t>(seed)]);
+  seeds_.push_back(s);
+  const std::size_t subtrees = std::min(tree_.size(), most_subtrees);
+  parallelFor(
+      subtrees, 1, threads_, progress_, span, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+          compareBelow(subtrees + k, s, order_.entries().size() / 2);
+      });
+  for (std::size_t node = subtrees - 1; node > 0; --node)
+    upper_[node] = std::max(upper_[2 * node], upper_[2 * node + 1]);
+}
+
+/** Whether the seed has lost every point below a node.
+ *  \param[in,out] hint the sample to try first, and the one that came nearest to it */
+bool
+BlockGroups::compareNode(std::size_t node,
+                         const Eigen::Vector3f& seed,
+                         std::size_t& hint) const
+{
+  const float worst = upper_[node];
+  const Eigen::Vector3f centre = tree_.box(node).centre();
+  const float radius = tree_.box(node).radius();
+  if (worst == infinity || 2.0f * radius > (centre - seed).norm())
+    return false; // too coarse to tell
+  const SegmentSamples segment(seed, centre, order_.samples());
+  float largest = -infinity;
+  std::size_t largest_at = hint;
+  const auto loses = [&](std::size_t l) {
+    const float low =
+        grid_.bounds(segment.at(l)).low - segment.slack - segment.fraction(l) * radius;
+    if (low > largest) {
+      largest = low;
+      largest_at = l;
+    }
+    return low >= worst;
+  };
+  if (loses(hint))
+    return true;
+  const auto& entries = order_.entries();
+  for (std::size_t k = 2; k < std::min(entries.size(), node_samples); ++k)
+    if (loses(entries[k].sample))
+      return true;
+  hint = largest_at;
+  return false;
+}
+
+void
+BlockGroups::compareBelow(std::size_t node,
+                          const Eigen::Vector3f& seed,
+                          std::size_t hint)
+{
+  if (tree_.isBlock(node)) {
+    compareBlock(node, seed, hint);
+    return;
+  }
+  if (compareNode(node, seed, hint))
+    return;
+  compareBelow(2 * node, seed, hint);
+  compareBelow(2 * node + 1, seed, hint);
+  upper_[node] = std::max(upper_[2 * node], upper_[2 * node + 1]);
+}
+
+void
+BlockGroups::compareBlock(std::size_t node,
+                          const Eigen::Vector3f& seed,
+                          std::size_t hint)
+{
+  const float worst = upper_[node];
+  const Eigen::Vector3f centre = tree_.box(node).centre();
+  const float radius = tree_.box(node).radius();
+  const SegmentSamples segment(seed, centre, order_.samples());
+  thread_local std::vector<float> high;
+  high.resize(order_.entries().size());
+  Rival rival{static_cast<std::int32_t>(seeds_.size()) - 1, 0.0f, 0.0f};
+  const auto loses = [&](std::size_t l) {
+    const float reach = segment.fraction(l) * radius + segment.slack;
+    const DistanceBounds d = grid_.bounds(segment.at(l));
+    high[l] = d.high + segment.slack;
+    rival.low = std::max(rival.low, d.low - reach);
+    rival.high = std::max(rival.high, d.high + reach);
+    return rival.low >= worst;
+  };
+  if (loses(hint))
+    return;
+  for (const SampleOrder::Entry& entry : order_.entries()) {
+    const std::size_t l = entry.sample;
+    if (!entry.isEnd()) {
+      high[l] = segment.between(entry, high);
+      if (high[l] + segment.fraction(l) * radius <= rival.high)
+        continue;
+    }
+    if (loses(l))
+      return;
+  }
+
+  upper_[node] = std::min(worst, rival.high);
+  std::vector<Rival>& rivals = blocks_[node - tree_.size()].rivals;
+  const auto beaten = [limit = upper_[node]](const Rival& r) { return r.low > limit; };
+  rivals.erase(std::remove_if(rivals.begin(), rivals.end(), beaten), rivals.end());
+  rivals.push_back(rival);
+}
+
+/** Carry a block's new upper bound up the tree. */
+void
+BlockGroups::updateAbove(std::size_t node)
+{
+  for (node /= 2; node > 0; node /= 2) {
+    const float upper = std::max(upper_[2 * node], upper_[2 * node + 1]);
+    if (upper == upper_[node])
+      return;
+    upper_[node] = upper;
+  }
+}
+
+/** An upper bound of the CID of a pair; \a limit or more when it is of no use. */
+float
+BlockGroups::boundPair(const Eigen::Vector3f& point,
+                       const Eigen::Vector3f& seed,
+                       float limit) const
+{
+  const SegmentSamples segment(seed, point, order_.samples());
+  thread_local std::vector<float> high;
+  high.resize(order_.entries().size());
+  float largest = 0.0f;
+  for (const SampleOrder::Entry& entry : order_.entries()) {
+    const std::size_t l = entry.sample;
+    if (!entry.isEnd()) {
+      high[l] = segment.between(entry, high);
+      if (high[l] <= largest)
+        continue;
+    }
+    high[l] = grid_.high(segment.at(l)) + segment.slack;
+    largest = std::max(largest, high[l]);
+    if (largest >= limit)
+      break;
+  }
+  return largest;
+}
+
+/** Bring every point's upper bound up to the last seed. */
+void
+BlockGroups::boundPoints(std::size_t b)
+{
+  BlockState& block = blocks_[b];
+  const auto all = static_cast<std::int32_t>(seeds_.size());
+  if (block.bounded == all)
+    return;
+  std::vector<Rival> rivals;
+  for (const Rival& rival : block.rivals)
+    if (rival.number >= block.bounded)
+      rivals.push_back(rival);
+  std::sort(rivals.begin(), rivals.end(), [](const Rival& r, const Rival& s) {
+    return r.high < s.high || (r.high == s.high && r.number < s.number);
+  });
+  for (int row = 0; row < tree_.block(b).count; ++row) {
+    State& state = states_[slotOf(b, row)];
+    for (const Rival& rival : rivals)
+      if (rival.low < state.high)
+        state.high = std::min(state.high,
+                              boundPair(tree_.block(b).point(row),
+                                        seeds_[static_cast<std::size_t>(rival.number)],
+                                        state.high));
+  }
+  block.bounded = all;
+}
+
+/** The seeds that a point was not compared with and may belong to, the best first. */
+const std::vector<BlockGroups::Rival>&
+BlockGroups::rivalsOf(std::size_t b, const State& state) const
+{
+  thread_local std::vector<Rival> rivals;
+  rivals.clear();
+  for (const Rival& rival : blocks_[b].rivals)
+    if (rival.number >= state.decided && rival.low <= state.cid)
+      rivals.push_back(rival);
+  std::sort(rivals.begin(), rivals.end(), [](const Rival& r, const Rival& s) {
+    return r.high < s.high || (r.high == s.high && r.number < s.number);
+  });
+  return rivals;
+}
+
+/** Compare a point with all seeds that it was not compared with. */
+void
+BlockGroups::decide(std::size_t b, int row)
+{
+  State& state = states_[slotOf(b, row)];
+  const auto all = static_cast<std::int32_t>(seeds_.size());
+  if (state.decided == all)
+    return;
+  const Eigen::Vector3f p = tree_.block(b).point(row);
+  for (const Rival& rival : rivalsOf(b, state)) {
+    if (rival.low > state.cid)
+      continue;
+    // The smaller CID wins; at equal CID the earlier seed.
+    const bool earlier = rival.number < state.group;
+    const float limit = earlier ? std::nextafter(state.cid, infinity) : state.cid;
+    const float cid = pointCID(
+        field_, p, seeds_[static_cast<std::size_t>(rival.number)], order_, limit);
+    if (cid < limit) {
+      state.cid = cid;
+      state.group = rival.number;
+    }
+  }
+  state.decided = all;
+  state.high = state.cid;
+}
+
+/** What decide() would make the group of a point, without the CID of a winner whose
+ *  upper bound is enough to beat all others. */
+std::int32_t
+BlockGroups::groupOf(std::size_t b, int row) const
+{
+  const State& state = states_[slotOf(b, row)];
+  const Eigen::Vector3f p = tree_.block(b).point(row);
+  const auto seed = [this](std::int32_t number) {
+    return seeds_[static_cast<std::size_t>(number)];
+  };
+  std::int32_t group = state.group;
+  float high = state.cid; // at least the CID to that seed
+  bool exact = true;      // and whether it is that CID
+  bool bounded = true;    // or, at least, a bound for this very point
+  for (const Rival& rival : rivalsOf(b, state)) {
+    if (group < 0) {
+      group = rival.number;
+      high = rival.high;
+      exact = bounded = false;
+      continue;
+    }
+    if (rival.low > high)
+      continue;
+    if (!bounded) { // the bound of the whole block is coarse
+      high = std::min(high, boundPair(p, seed(group), high));
+      bounded = true;
+      if (rival.low > high)
+        continue;
+    }
+    const float limit = rival.number < group ? std::nextafter(high, infinity) : high;
+    const float cid = pointCID(field_, p, seed(rival.number), order_, limit);
+    if (cid >= limit)
+      continue;
+    // The bound did not tell: compare the CIDs themselves.
+    const float least = rival.number < group ? cid : std::nextafter(cid, infinity);
+    const float other = exact ? high : pointCID(field_, p, seed(group), order_, least);
+    if (other >= least) {
+      group = rival.number;
+      high = cid;
+    }
+    else
+      high = other;
+    exact = true;
+  }
+  return group;
+}
+
+/** A point cannot come nearer to any seed than CID_p(p, p) = d(p; S), which is 0 for
+ *  the points of S; one that is as near as that would gain nothing by being a seed. */
+bool
+BlockGroups::gains(std::size_t b, int row) const
+{
+  return states_[slotOf(b, row)].cid > field_.distance(tree_.block(b).point(row));
+}
+
+/** The point of a block with the largest D_min, if that is at least \a floor. */
+BlockGroups::Farthest
+BlockGroups::settle(std::size_t b, float floor, Among among)
+{
+  boundPoints(b);
+  const PointBlock& block = tree_.block(b);
+  float& upper = upper_[tree_.nodeOfBlock(b)];
+  for (;;) {
+    float largest = -1.0f;
+    float overall = 0.0f;
+    int best = -1;
+    for (int row = 0; row < block.count; ++row) {
+      const State& state = states_[slotOf(b, row)];
+      overall = std::max(overall, state.high);
+      if (among == Among::seeds && barred_[slotOf(b, row)])
+        continue;
+      const bool tied = state.high == largest && block.index[row] < block.index[best];
+      if (state.high > largest || tied) {
+        largest = state.high;
+        best = row;
+      }
+    }
+    upper = std::min(upper, overall);
+    if (best < 0 || largest < floor)
+      return {};
+    if (states_[slotOf(b, best)].decided < static_cast<std::int32_t>(seeds_.size()))
+      decide(b, best);
+    else if (among == Among::seeds && !gains(b, best))
+      barred_[slotOf(b, best)] = 1;
+    else
+      return {largest, block.index[best]};
+  }
+}
+
+/** The blocks that may hold a point with a D_min of at least \a floor, the most
+ *  promising first. */
+std::vector<std::size_t>
+BlockGroups::blocksAbove(float floor) const
+{
+  std::vector<std::size_t> blocks;
+  std::vector<std::size_t> open = {1};
+  while (!open.empty()) {
+    const std::size_t node = open.back();
+    open.pop_back();
+    if (upper_[node] < floor)
+      continue;
+    if (tree_.isBlock(node))
+      blocks.push_back(node - tree_.size());
+    else
+      open.insert(open.end(), {2 * node, 2 * node + 1});
+  }
+  std::sort(blocks.begin(), blocks.end(), [this](std::size_t a, std::size_t b) {
+    const float upper_a = upper_[tree_.nodeOfBlock(a)];
+    const float upper_b = upper_[tree_.nodeOfBlock(b)];
+    return upper_a > upper_b || (upper_a == upper_b && a < b);
+  });
+  return blocks;
+}
+
+BlockGroups::Farthest
+BlockGroups::argmax(Among among, ProgressSpan span)
+{
+  // A few of the most promising blocks give a value that most others fall short of.
+  Farthest best;
+  const auto take = [&best](const Farthest& found) {
+    if (found.cid > best.cid || (found.cid == best.cid && found.point < best.point))
+      best = found;
+  };
+  std::size_t node = 1;
+  while (!tree_.isBlock(node))
+    node = upper_[2 * node] >= upper_[2 * node + 1] ? 2 * node : 2 * node + 1;
+  take(settle(node - tree_.size(), 0.0f, among));
+  updateAbove(node);
+
+  const std::vector<std::size_t> blocks = blocksAbove(std::max(best.cid, 0.0f));
+  std::vector<Farthest> found(blocks.size());
+  std::atomic<float> reached{std::max(best.cid, 0.0f)};
+  const int team = blocks.size() < 16 ? 1 : threads_;
+  parallelFor(
+      blocks.size(), 1, team, progress_, span, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const float floor = reached;
+          if (upper_[tree_.nodeOfBlock(blocks[k])] < floor)
+            continue;
+          found[k] = settle(blocks[k], floor, among);
+          float so_far = reached;
+          while (found[k].cid > so_far &&
+                 !reached.compare_exchange_weak(so_far, found[k].cid))
+            ;
+        }
+      });
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    updateAbove(tree_.nodeOfBlock(blocks[k]));
+    take(found[k]);
+  }
+  return best;
+}
+
+float
+BlockGroups::coverage(ProgressSpan span)
+{
+  return argmax(Among::all, span).cid;
+}
+
+BlockGroups::Farthest
+BlockGroups::farthest(ProgressSpan span)
+{
+  return argmax(Among::seeds, span);
+}
+
+void
+BlockGroups::finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal)
+{
+  proposal.group.resize(slot_of_point_.size());
+  proposal.cid.resize(keep_cid ? slot_of_point_.size() : 0);
+  parallelFor(blocks_.size(), 8, threads_, progress_, span, [&](auto begin, auto end) {
+    for (std::size_t b = begin; b < end; ++b)
+      for (int row = 0; row < tree_.block(b).count; ++row) {
+        const auto i = static_cast<std::size_t>(tree_.block(b).index[row]);
+        if (!keep_cid) {
+          proposal.group[i] = groupOf(b, row);
+          continue;
+        }
+        decide(b, row);
+        proposal.group[i] = states_[slotOf(b, row)].group;
+        proposal.cid[i] = states_[slotOf(b, row)].cid;
+      }
+  });
+}
+
+} // namespace pcl_cid

@@ -1,0 +1,166 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The nearest seed of every point, block by block, decided as late as possible.
+ */
+
+#pragma once
+
+#include "block_tree.h"
+#include "distance_grid.h"
+#include "parallel_for.h"
+#include "segment_samples.h"
+
+#include <pcl_cid/core/seed_proposal.h>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief D_min of Algorithm 1 and its argument for every point: exactly what comparing
+ *  all pairs would give, with most pairs never looked at.
+ *
+ *  A new seed is first compared with whole blocks of points, down a tree of blocks. For
+ *  a point p within R of the centre c of its block, sample l of the segment from the
+ *  seed s to p is within R l / (M - 1) of that of the segment to c, and d is
+ *  1-Lipschitz, so bounds at the samples of one segment bound the CIDs of all points of
+ *  the block. Where the seed may win it becomes a *rival* in the block, with an
+ *  interval for its CIDs.
+ *
+ *  Points are compared one by one only when something depends on them: when they may be
+ *  the farthest one, and at the end. Most rivals are out by then, beaten by seeds that
+ *  came later. Which comparisons are made depends on threads; their result does not. */
+class BlockGroups {
+public:
+  /** \param[in] points the points that are grouped; often those of the surface */
+  BlockGroups(const DistanceField& field,
+              const Points& points,
+              int samples,
+              const ExecutionOptions& execution,
+              Progress& progress);
+
+  /** \brief Go on from what an earlier run decided. */
+  void
+  restore(const SeedProposal& proposal);
+
+  /** \brief Only these may become seeds; without this call, all points may. */
+  void
+  setCandidates(const pcl::Indices& candidates);
+
+  /** \brief Compare a new seed with all points.
+   *  \param[in] span the share of the progress */
+  void
+  addSeed(pcl::index_t seed, ProgressSpan span);
+
+  struct Farthest {
+    float cid = -1.0f;
+    pcl::index_t point = -1; ///< -1: there is none
+  };
+
+  /** \brief r_k, the largest D_min of all points. */
+  float
+  coverage(ProgressSpan span);
+
+  /** \brief argmax of D_min over the points that would gain by being a seed; the lowest
+   *  index of equal ones. */
+  Farthest
+  farthest(ProgressSpan span);
+
+  /** \brief Decide every point.
+   *  \param[in] keep_cid also the exact CIDs, which costs about twice as much
+   *  \param[out] proposal its group and, when kept, cid; else cid is empty */
+  void
+  finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal);
+
+private:
+  struct Rival {
+    std::int32_t number; ///< of the seed
+    float low;           ///< no point of the block has a smaller CID to it
+    float high;          ///< nor a larger one
+  };
+
+  /** What is known of a point. */
+  struct State {
+    float cid;          ///< D_min over the first `decided` seeds
+    float high;         ///< at least D_min over all seeds
+    std::int32_t group; ///< argmin over the first `decided` seeds
+    std::int32_t decided;
+  };
+
+  /** What is known of a block. */
+  struct BlockState {
+    std::vector<Rival> rivals;
+    std::int32_t bounded = 0; ///< the first so many seeds are in every point's `high`
+  };
+
+  /** Whom an argmax asks for. */
+  enum class Among { all, seeds };
+
+  std::size_t
+  slotOf(std::size_t block, int row) const
+  {
+    return block * PointBlock::capacity + static_cast<std::size_t>(row);
+  }
+
+  bool
+  compareNode(std::size_t node, const Eigen::Vector3f& seed, std::size_t& hint) const;
+
+  void
+  compareBlock(std::size_t node, const Eigen::Vector3f& seed, std::size_t hint);
+
+  void
+  compareBelow(std::size_t node, const Eigen::Vector3f& seed, std::size_t hint);
+
+  void
+  updateAbove(std::size_t node);
+
+  void
+  boundPoints(std::size_t block);
+
+  float
+  boundPair(const Eigen::Vector3f& point,
+            const Eigen::Vector3f& seed,
+            float limit) const;
+
+  const std::vector<Rival>&
+  rivalsOf(std::size_t block, const State& state) const;
+
+  void
+  decide(std::size_t block, int row);
+
+  std::int32_t
+  groupOf(std::size_t block, int row) const;
+
+  bool
+  gains(std::size_t block, int row) const;
+
+  Farthest
+  settle(std::size_t block, float floor, Among among);
+
+  std::vector<std::size_t>
+  blocksAbove(float floor) const;
+
+  Farthest
+  argmax(Among among, ProgressSpan span);
+
+  const DistanceField& field_;
+  const DistanceGrid& grid_;
+  std::unique_ptr<BlockTree> own_tree_; ///< of points that are not the surface
+  const BlockTree& tree_;
+  SampleOrder order_;
+  int threads_;
+  Progress& progress_;
+  Points seeds_;
+  std::vector<State> states_; ///< by slot
+  std::vector<BlockState> blocks_;
+  std::vector<float> upper_; ///< by node: at least D_min of each of its points
+  std::vector<std::int32_t> slot_of_point_;
+  std::vector<std::uint8_t> barred_; ///< by slot: cannot become a seed
+};
+
+} // namespace pcl_cid

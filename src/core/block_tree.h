@@ -1,0 +1,196 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Points in the order of a balanced kd-tree, in blocks that are neighbours in
+ * memory.
+ */
+
+#pragma once
+
+#include "progress.h"
+
+#include <pcl_cid/core/point_set.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pcl_cid {
+
+/** \brief Eight to sixteen points that lie next to each other, as columns x, y, z.
+ *  Unused rows repeat the last point, so a minimum over all rows is one over the
+ *  points. */
+struct alignas(16) PointBlock {
+  static constexpr int capacity = 16;
+
+  Eigen::Array<float, capacity, 1> x, y, z;
+  /** Index of each point in the points that the tree was made of. */
+  Eigen::Array<std::int32_t, capacity, 1> index;
+  std::int32_t count;
+
+  Eigen::Vector3f
+  point(int row) const
+  {
+    return {x[row], y[row], z[row]};
+  }
+
+  /** \brief Squared distances, each rounded as (dx dx + dy dy) + dz dz in float: the
+   *  one arithmetic of d(x; S). Four at a time, by Eigen. */
+  Eigen::Array<float, capacity, 1>
+  squaredDistances(const Eigen::Vector3f& p) const
+  {
+    const Eigen::Array<float, capacity, 1> dx = p.x() - x;
+    const Eigen::Array<float, capacity, 1> dy = p.y() - y;
+    const Eigen::Array<float, capacity, 1> dz = p.z() - z;
+    return (dx * dx + dy * dy) + dz * dz;
+  }
+};
+
+/** \brief A box that holds points. */
+struct PointBox {
+  Eigen::Array3f low;
+  Eigen::Array3f high;
+
+  Eigen::Vector3f
+  centre() const
+  {
+    return (0.5f * (low + high)).matrix();
+  }
+
+  /** \brief At least the distance from the centre to any point of the box. */
+  float
+  radius() const
+  {
+    return (0.5f * (high - low)).matrix().norm() * 1.00001f;
+  }
+
+  /** \brief Squared distance from a point to the box, 0 inside. */
+  float
+  squaredDistance(const Eigen::Vector3f& p) const
+  {
+    const Eigen::Array3f outside = (low - p.array()).max(p.array() - high).max(0.0f);
+    return outside.matrix().squaredNorm();
+  }
+};
+
+/** \brief A complete binary tree over blocks of points: node 1 is the root, the
+ *  children of node n are 2n and 2n + 1, and the blocks are the last level from left to
+ *  right.
+ *
+ *  Each node is split at the median of its widest side, equal coordinates by index, so
+ *  the tree is the same on every machine and for every number of threads. */
+class BlockTree {
+public:
+  /** \param[in] points finite, at least 1
+   *  \param[in] threads never changes the tree
+   *  \param[in,out] progress asked for cancellation */
+  BlockTree(const Points& points, int threads, Progress& progress);
+
+  /** \brief Number of blocks, a power of two. */
+  std::size_t
+  size() const
+  {
+    return blocks_.size();
+  }
+
+  const PointBlock&
+  block(std::size_t number) const
+  {
+    return blocks_[number];
+  }
+
+  /** \brief The point in a slot: block * PointBlock::capacity + row. */
+  const Eigen::Vector3f&
+  position(std::int32_t slot) const
+  {
+    return positions_[static_cast<std::size_t>(slot)];
+  }
+
+  /** \brief The box of a node, 1 to 2 size() - 1. */
+  const PointBox&
+  box(std::size_t node) const
+  {
+    return boxes_[node];
+  }
+
+  /** \brief The node that is a block. */
+  std::size_t
+  nodeOfBlock(std::size_t block) const
+  {
+    return size() + block;
+  }
+
+  bool
+  isBlock(std::size_t node) const
+  {
+    return node >= size();
+  }
+
+  /** \brief Squared distances to boxes and to points are rounded differently; a box is
+   *  passed over only when it is farther by more than that. */
+  static constexpr float rounding = 1.00001f;
+
+  /** \brief The smallest squared distance from x to the points below a node, when it is
+   *  below \a limit; otherwise something that is not. */
+  float
+  squaredDistanceBelow(std::size_t node, const Eigen::Vector3f& x, float limit) const
+  {
+    if (isBlock(node))
+      return block(node - size()).squaredDistances(x).minCoeff();
+    float left = box(2 * node).squaredDistance(x);
+    float right = box(2 * node + 1).squaredDistance(x);
+    std::size_t near = 2 * node, far = 2 * node + 1;
+    if (right < left) {
+      std::swap(left, right);
+      std::swap(near, far);
+    }
+    if (left <= limit * rounding)
+      limit = std::min(limit, squaredDistanceBelow(near, x, limit));
+    if (right <= limit * rounding)
+      limit = std::min(limit, squaredDistanceBelow(far, x, limit));
+    return limit;
+  }
+
+  struct Nearest {
+    float squared_distance = std::numeric_limits<float>::infinity();
+    std::int32_t slot = -1;
+  };
+
+  /** \brief Improve on the nearest point found so far with the points below a node. */
+  void
+  descend(std::size_t node, const Eigen::Vector3f& x, Nearest& nearest) const
+  {
+    if (!isBlock(node)) {
+      const float left = box(2 * node).squaredDistance(x);
+      const float right = box(2 * node + 1).squaredDistance(x);
+      const std::size_t near = right < left ? 2 * node + 1 : 2 * node;
+      if (std::min(left, right) <= nearest.squared_distance * rounding)
+        descend(near, x, nearest);
+      if (std::max(left, right) <= nearest.squared_distance * rounding)
+        descend(near ^ 1, x, nearest);
+      return;
+    }
+    const std::size_t number = node - size();
+    const auto squared = block(number).squaredDistances(x);
+    if (squared.minCoeff() >= nearest.squared_distance)
+      return;
+    int row = 0;
+    nearest.squared_distance = squared.minCoeff(&row);
+    nearest.slot = static_cast<std::int32_t>(number) * PointBlock::capacity + row;
+  }
+
+private:
+  std::vector<PointBlock> blocks_;
+  Points positions_; ///< one beside the other, for one look at a time
+  std::vector<PointBox> boxes_;
+};
+
+} // namespace pcl_cid
