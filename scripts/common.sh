@@ -4,7 +4,8 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# What demo.sh and check.sh share; sourced by them, from the project's folder.
+# What demo.sh, check.sh and benchmark.sh share; sourced by them, from the project's
+# folder.
 
 # step TEXT: a headline.
 step() {
@@ -23,7 +24,8 @@ run() {
 listed_packages() {
   local use
   for use in "$@"; do
-    awk -v use="$use" '$1 !~ /^#/ && $2 == use {print $1}' scripts/packages.txt
+    awk -v use="$use" '$1 !~ /^#/ && $2 ~ "(^|,)" use "(,|$)" {print $1}' \
+      scripts/packages.txt
   done
 }
 
@@ -45,8 +47,8 @@ install_packages() {
     install --yes --no-install-recommends "${missing[@]}"
 }
 
-# build_preset NAME: configure and build one preset of CMakePresets.json.
+# build_preset NAME [OPTION ...]: configure and build one preset of CMakePresets.json.
 build_preset() {
-  run cmake --preset "$1"
+  run cmake --preset "$@"
   run cmake --build --preset "$1" --parallel "$(nproc)"
 }

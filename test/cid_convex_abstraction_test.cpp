@@ -126,6 +126,24 @@ TEST(CIDConvexAbstraction, OneTreeServesEveryCut)
   }
 }
 
+TEST(CIDConvexAbstraction, StoppingAtTheCutGivesTheSameParts)
+{
+  Abstraction whole = abstractionFor(toCloud(twoBoxes(400, 110)));
+  Abstraction stopped = abstractionFor(toCloud(twoBoxes(400, 110)));
+  stopped.setStopAtCut(true);
+  for (const int count : {1, 4, 10}) {
+    std::vector<pcl::PointIndices> expected, parts;
+    whole.setNumberOfParts(count);
+    whole.segment(expected);
+    stopped.setNumberOfParts(count);
+    stopped.segment(parts);
+    ASSERT_EQ(parts.size(), expected.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      EXPECT_EQ(parts[k].indices, expected[k].indices);
+    EXPECT_EQ(stopped.getMergeTree().steps().size(), 10u - parts.size());
+  }
+}
+
 TEST(CIDConvexAbstraction, TreeAgreesWithTheOracle)
 {
   const Points points = twoBoxes(90, 105);
@@ -211,7 +229,8 @@ TEST(CIDConvexAbstraction, RefusesBadValues)
   Abstraction abstraction = abstractionFor(toCloud(randomCube(60, 109)));
   EXPECT_THROW(abstraction.setNumberOfParts(0), CIDException);
   EXPECT_THROW(abstraction.setNumberOfMerges(-1), CIDException);
-  for (const double threshold : {-1.0, static_cast<double>(NAN)})
+  for (const double threshold :
+       {-1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)})
     EXPECT_THROW(abstraction.setMergeThreshold(threshold), CIDException);
   EXPECT_THROW(abstraction.setGroupSampleSize(0), CIDException);
   for (const double thickness : {0.0, -1.0, static_cast<double>(NAN)})

@@ -241,6 +241,7 @@ TEST(CIDSampler, EachSetterRefusesABadValueAndKeepsTheOldOne)
   for (const float coverage : {-0.1f, nan, infinity})
     EXPECT_THROW(sampler.setCoverage(coverage), CIDException);
   EXPECT_THROW(sampler.setSubsample(-1), CIDException);
+  EXPECT_THROW(sampler.setNumberOfThreads(1025), CIDException);
   EXPECT_THROW(sampler.setStartIndex(-1), CIDException);
   EXPECT_EQ(sampler.getNumberOfSeeds(), 100);
   EXPECT_EQ(sampler.getNumberOfSamples(), 100);

@@ -130,6 +130,7 @@ configureMerging(const AbstractSettings& settings,
     abstraction.setNumberOfMerges(*settings.merges);
   abstraction.setGroupSampleSize(settings.group_samples);
   abstraction.setMinThickness(settings.min_thickness);
+  abstraction.setStopAtCut(settings.tree.empty());
 }
 
 void

@@ -60,6 +60,21 @@ public:
     return merge_cut_;
   }
 
+  /** \brief Whether to stop merging where the cut is, which is several times faster
+   * than making the whole tree; getMergeTree() then holds the merges up to there. The
+   * default is false: one tree for every cut. */
+  void
+  setStopAtCut(bool stop_at_cut)
+  {
+    stop_at_cut_ = stop_at_cut;
+  }
+
+  bool
+  getStopAtCut() const
+  {
+    return stop_at_cut_;
+  }
+
   /** \brief Points drawn from each group to estimate CID_g: at least 1; default 16. */
   void
   setGroupSampleSize(int group_sample_size);
@@ -129,7 +144,11 @@ private:
   std::vector<ConvexPart>
   makeHulls(const std::vector<int>& cut, const ExecutionOptions& execution) const;
 
+  GroupMergingOptions
+  mergingOptions(std::size_t groups) const;
+
   MergeCut merge_cut_;
+  bool stop_at_cut_ = false;
   int group_sample_size_ = 16;
   ConvexPartOptions hull_options_;
   SeedProposal proposal_;

@@ -138,27 +138,7 @@ public:
    *  passed over only when it is farther by more than that. */
   static constexpr float rounding = 1.00001f;
 
-  /** \brief The smallest squared distance from x to the points below a node, when it is
-   *  below \a limit; otherwise something that is not. */
-  float
-  squaredDistanceBelow(std::size_t node, const Eigen::Vector3f& x, float limit) const
-  {
-    if (isBlock(node))
-      return block(node - size()).squaredDistances(x).minCoeff();
-    float left = box(2 * node).squaredDistance(x);
-    float right = box(2 * node + 1).squaredDistance(x);
-    std::size_t near = 2 * node, far = 2 * node + 1;
-    if (right < left) {
-      std::swap(left, right);
-      std::swap(near, far);
-    }
-    if (left <= limit * rounding)
-      limit = std::min(limit, squaredDistanceBelow(near, x, limit));
-    if (right <= limit * rounding)
-      limit = std::min(limit, squaredDistanceBelow(far, x, limit));
-    return limit;
-  }
-
+  /** \brief The nearest point found so far. */
   struct Nearest {
     float squared_distance = std::numeric_limits<float>::infinity();
     std::int32_t slot = -1;

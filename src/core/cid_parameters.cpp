@@ -48,6 +48,18 @@ CIDParameters::setStartIndex(pcl::index_t start_index)
   start_index_ = start_index;
 }
 
+void
+CIDParameters::setNumberOfThreads(unsigned int number_of_threads)
+{
+  constexpr unsigned int most_threads = 1024;
+  if (number_of_threads > most_threads)
+    throw CIDException(sentence("the number of threads is ",
+                                number_of_threads,
+                                "; it must be at most ",
+                                most_threads));
+  number_of_threads_ = number_of_threads;
+}
+
 ExecutionOptions
 CIDParameters::execution(double begin, double end) const
 {

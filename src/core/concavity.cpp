@@ -114,8 +114,22 @@ struct SampleBounds {
   std::vector<std::uint8_t> concluded;
   /** The largest exact distance so far. */
   float largest = 0.0f;
+  /** Surface points nearest to the samples evaluated so far. */
+  Points feet;
   /** Samples whose distance may be larger. */
   std::vector<std::size_t> open;
+
+  /** Whether a surface point that is known already is near enough to x: then d(x) is no
+   *  larger than what was found. Neighbouring samples often share their nearest point.
+   */
+  bool
+  isPassedOver(const Eigen::Vector3f& x, float slack) const
+  {
+    for (auto foot = feet.rbegin(); foot != feet.rend(); ++foot)
+      if ((x - *foot).norm() * 1.000002f + slack <= largest)
+        return true;
+    return false;
+  }
 };
 
 } // namespace
@@ -144,9 +158,13 @@ pointCID(const DistanceField& field,
   high.resize(order.entries().size());
   bounds.concluded.assign(order.entries().size(), 0);
   bounds.largest = 0.0f;
+  bounds.feet.clear();
   const auto evaluate = [&](std::size_t l) {
-    high[l] = field.distance(segmentSample(p, q, static_cast<int>(l), order.samples()));
+    const DistanceField::Foot foot =
+        field.foot(segmentSample(p, q, static_cast<int>(l), order.samples()));
+    high[l] = foot.distance;
     bounds.largest = std::max(bounds.largest, high[l]);
+    bounds.feet.push_back(foot.point);
   };
 
   // One sample that is too far decides; an upper bound of each shows that there is
@@ -173,7 +191,7 @@ pointCID(const DistanceField& field,
 
   // Eq. 2: the maximum is about where the largest bound is; most others then fall
   // short.
-  std::size_t top = order.entries().back().sample / 2;
+  std::size_t top = order.entries().size() / 2;
   if (limit < std::numeric_limits<float>::infinity())
     for (std::size_t l = 0; l < high.size(); ++l)
       if (!bounds.concluded[l] && high[l] > high[top])
@@ -195,11 +213,13 @@ pointCID(const DistanceField& field,
         bounds.open.begin(), bounds.open.end(), [&](std::size_t a, std::size_t b) {
           return high[a] < high[b];
         });
-    if (high[*next] <= bounds.largest)
+    const std::size_t l = *next;
+    if (high[l] <= bounds.largest)
       break;
-    evaluate(*next);
     *next = bounds.open.back();
     bounds.open.pop_back();
+    if (!bounds.isPassedOver(segment.at(l), segment.slack))
+      evaluate(l);
   }
   return bounds.largest;
 }

@@ -212,26 +212,30 @@ leastWidth(const TriangleMesh& hull)
   return least;
 }
 
-/** The hull of the points, thickened until no face normal sees less than asked. Each
- *  round makes one more direction thick and none thinner; a handful are enough. */
-TriangleMesh
-thickHull(std::vector<Eigen::Vector3d> points,
-          const PrincipalBox& box,
-          double thickness)
+/** Make the hull of a part, thickened until no face normal sees less than asked; no
+ *  triangles when qhull fails. Each round makes one more direction thick and none
+ * thinner; a handful are enough. */
+void
+makeThickHull(std::vector<Eigen::Vector3d> points,
+              const PrincipalBox& box,
+              double thickness,
+              ConvexPart& part)
 {
   constexpr int most_rounds = 20;
+  part.thickened = box.extents.minCoeff() < thickness;
   thicken(points, box, thickness);
-  TriangleMesh hull = hullByQhull(points, box.centre);
-  for (int round = 0; round < most_rounds && !hull.triangles.empty(); ++round) {
-    orientOutward(hull);
-    const Width least = leastWidth(hull);
+  part.hull = hullByQhull(points, box.centre);
+  for (int round = 0; round < most_rounds && !part.hull.triangles.empty(); ++round) {
+    orientOutward(part.hull);
+    const Width least = leastWidth(part.hull);
     if (least.width >= thickness * (1.0 - 1e-5))
-      return hull;
-    points = hull.vertices;
+      return;
+    part.thickened = true;
+    points = part.hull.vertices;
     widen(points, least.direction, thickness * (1.0 + 1e-6) - least.width);
-    hull = hullByQhull(points, box.centre);
+    part.hull = hullByQhull(points, box.centre);
   }
-  return {};
+  part.hull = TriangleMesh();
 }
 
 /** Volume, area and thickness of the part's hull. */
@@ -277,8 +281,7 @@ makeConvexPart(const PointSet& points,
   const std::vector<Eigen::Vector3d> distinct = distinctPoints(points.points, members);
   const PrincipalBox box = principalBox(distinct);
   const double thickness = feasibleThickness(box, options.min_thickness);
-  part.thickened = box.extents.minCoeff() < thickness;
-  part.hull = thickHull(distinct, box, thickness);
+  makeThickHull(distinct, box, thickness, part);
   part.boxed = part.hull.triangles.empty();
   if (part.boxed) {
     part.hull = boxMesh(box, thickness);

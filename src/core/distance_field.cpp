@@ -15,7 +15,6 @@
 #include <pcl_cid/core/distance_field.h>
 
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -96,19 +95,23 @@ DistanceField::search() const
 float
 DistanceField::distance(const Eigen::Vector3f& x) const
 {
-  const float squared = grid_->squaredDistance(x);
-  if (squared >= 0.0f)
-    return std::sqrt(squared);
-  if (!has_own_search_) {
-    const float none = std::numeric_limits<float>::infinity();
-    return std::sqrt(tree_->squaredDistanceBelow(1, x, none));
+  return foot(x).distance;
+}
+
+DistanceField::Foot
+DistanceField::foot(const Eigen::Vector3f& x) const
+{
+  BlockTree::Nearest found = grid_->nearest(x);
+  if (found.slot < 0 && has_own_search_) {
+    const Eigen::Vector3f p =
+        (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))]
+            .getVector3fMap();
+    const Eigen::Vector3f d = x - p;
+    return {std::sqrt((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z()), p};
   }
-  const pcl::PointXYZ& p =
-      (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))];
-  const float dx = x.x() - p.x;
-  const float dy = x.y() - p.y;
-  const float dz = x.z() - p.z;
-  return std::sqrt((dx * dx + dy * dy) + dz * dz);
+  if (found.slot < 0)
+    tree_->descend(1, x, found);
+  return {std::sqrt(found.squared_distance), tree_->position(found.slot)};
 }
 
 DistanceBounds

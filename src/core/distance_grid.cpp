@@ -266,20 +266,24 @@ DistanceGrid::merge(Growth& growth)
   growth = Growth();
 }
 
-float
-DistanceGrid::squaredDistance(const Eigen::Vector3f& x) const
+BlockTree::Nearest
+DistanceGrid::nearest(const Eigen::Vector3f& x) const
 {
+  BlockTree::Nearest nearest;
   const Place place = placeOf(x);
   const Cell& cell = *leafAt(place).cell;
   if (!place.inside || cell.list == 0)
-    return -1.0f;
-  const auto first = static_cast<std::size_t>(cell.slot / PointBlock::capacity);
-  float nearest = tree_.block(first).squaredDistances(x).minCoeff();
+    return nearest;
+  tree_.descend(
+      tree_.nodeOfBlock(static_cast<std::size_t>(cell.slot / PointBlock::capacity)),
+      x,
+      nearest);
   const std::int32_t* list = &lists_[cell.list];
   for (std::int32_t k = 1; k <= list[0]; ++k) {
     const auto node = static_cast<std::size_t>(list[k]);
-    if (tree_.box(node).squaredDistance(x) <= nearest * BlockTree::rounding)
-      nearest = std::min(nearest, tree_.squaredDistanceBelow(node, x, nearest));
+    if (tree_.box(node).squaredDistance(x) <=
+        nearest.squared_distance * BlockTree::rounding)
+      tree_.descend(node, x, nearest);
   }
   return nearest;
 }

@@ -66,10 +66,10 @@ public:
            slack_;
   }
 
-  /** \brief The squared distance from x to the surface, when the cell of x lists who
-   *  can be nearest; -1 when it does not. */
-  float
-  squaredDistance(const Eigen::Vector3f& x) const;
+  /** \brief The surface point nearest to x, when the cell of x lists who can be that;
+   *  slot -1 when it does not. */
+  BlockTree::Nearest
+  nearest(const Eigen::Vector3f& x) const;
 
   std::size_t
   bytes() const

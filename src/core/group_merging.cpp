@@ -7,49 +7,22 @@
  * Algorithm 2: groups merged by group CID, as a dendrogram that can be cut anywhere.
  */
 
-#include "parallel_for.h"
+#include "group_cids.h"
 #include "validation.h"
 
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/random.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 namespace pcl_cid {
 namespace {
-
-/** CID_g of every pair of groups; symmetric, the diagonal unused. */
-class GroupMatrix {
-public:
-  explicit GroupMatrix(std::size_t groups) : groups_(groups), values_(groups * groups)
-  {
-  }
-
-  double&
-  operator()(std::size_t i, std::size_t j)
-  {
-    return values_[i * groups_ + j];
-  }
-
-  void
-  set(std::size_t i, std::size_t j, double value)
-  {
-    (*this)(i, j) = value;
-    (*this)(j, i) = value;
-  }
-
-  std::size_t
-  size() const
-  {
-    return groups_;
-  }
-
-private:
-  std::size_t groups_;
-  std::vector<double> values_;
-};
 
 std::vector<pcl::Indices>
 membersOfGroups(const std::vector<pcl::index_t>& group, std::size_t groups)
@@ -98,129 +71,240 @@ drawFromGroups(const Points& points,
   return drawn;
 }
 
-/** "D[G_i, G_j] <- CID_g(G_i, G_j | S)" of Algorithm 2, for all i < j. */
-GroupMatrix
-groupMatrix(const DistanceField& field,
-            const std::vector<Points>& drawn,
-            const GroupMergingOptions& options)
-{
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t i = 0; i < drawn.size(); ++i)
-    for (std::size_t j = i + 1; j < drawn.size(); ++j)
-      pairs.emplace_back(i, j);
-  GroupMatrix matrix(drawn.size());
-  Progress progress(options.execution.progress);
-  parallelFor(pairs.size(),
-              1,
-              threadCount(options.execution.threads),
-              progress,
-              {0.0, 1.0},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) {
-                  const auto [i, j] = pairs[k];
-                  matrix.set(
-                      i, j, groupCID(field, drawn[i], drawn[j], options.samples));
-                }
-              });
-  return matrix;
-}
+/** Pairs whose CID_g is computed side by side, when the next merge depends on one. */
+constexpr std::size_t most_at_once = 16;
 
-/** Average linkage: the merges that Algorithm 2 makes on the matrix, lowest first. */
+/** Average linkage on values of which most are lower bounds: a value is made exact only
+ *  when it is the smallest, so the merges are those of the exact matrix.
+ *
+ *  Clusters 0 .. K - 1 are the groups; each merge makes a new one. */
 class AverageLinkage {
 public:
-  AverageLinkage(GroupMatrix matrix, std::vector<std::size_t> sizes)
-  : matrix_(std::move(matrix)), sizes_(std::move(sizes)), nearest_(matrix_.size())
+  AverageLinkage(GroupCIDs& cids, const std::vector<std::size_t>& sizes)
+  : cids_(cids), groups_(sizes.size()), known_(groups_ * groups_)
   {
-    alive_.resize(matrix_.size());
-    std::iota(alive_.begin(), alive_.end(), std::size_t{0});
-    for (std::size_t i = 0; i < matrix_.size(); ++i)
-      findNearest(i);
+    for (std::size_t g = 0; g < sizes.size(); ++g) {
+      clusters_.push_back({g, sizes[g], none, none});
+      alive_.push_back(g);
+    }
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      for (std::size_t j = i + 1; j < sizes.size(); ++j) {
+        known(i, j) = {cids_.value({i, j}), cids_.isExact({i, j})};
+        push(i, j);
+      }
   }
 
+  /** Merge until \a parts remain or nothing is below \a height. */
   std::vector<MergeStep>
-  run()
+  run(std::size_t parts, double height)
   {
     std::vector<MergeStep> steps;
-    while (alive_.size() > 1)
-      steps.push_back(mergeClosest());
+    while (alive_.size() > std::max<std::size_t>(parts, 1)) {
+      const Entry closest = findClosest(); // "argmin D"
+      if (closest.value > height)
+        break;
+      steps.push_back(join(closest)); // "G_i <- G_i U G_j", "V <- V \\ {G_j}"
+    }
     return steps;
   }
 
 private:
-  /** "argmin D": each group knows its nearest of higher number, so one pass finds
-   *  it. */
-  MergeStep
-  mergeClosest()
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  struct Cluster {
+    std::size_t name;          ///< its lowest group
+    std::size_t size;          ///< in points
+    std::size_t first, second; ///< the clusters that it was made of
+    bool alive = true;
+  };
+
+  /** CID_g of two clusters; a lower bound while not exact. */
+  struct Entry {
+    double value;
+    bool exact;
+    std::size_t a, b;           ///< clusters
+    std::size_t name_a, name_b; ///< their names, the lower one first
+
+    /** Comes later in the queue. At equal values bounds are looked at first, since they
+     *  may hide a pair of lower names; then the lowest names win. */
+    bool
+    operator<(const Entry& other) const
+    {
+      return std::tie(other.value, other.exact, other.name_a, other.name_b) <
+             std::tie(value, exact, name_a, name_b);
+    }
+  };
+
+  struct Linkage {
+    double value;
+    bool exact;
+  };
+
+  /** What is known of the CID_g of two clusters that are alive. */
+  Linkage&
+  known(std::size_t a, std::size_t b)
   {
-    std::size_t i = alive_.front();
-    for (std::size_t k = 0; k + 1 < alive_.size(); ++k)
-      if (matrix_(alive_[k], nearest_[alive_[k]]) < matrix_(i, nearest_[i]))
-        i = alive_[k];
-    const std::size_t j = nearest_[i];
-    const double height = matrix_(i, j);
-    join(i, j);
-    return {static_cast<int>(i), static_cast<int>(j), height, sizes_[i]};
+    const auto names = std::minmax(clusters_[a].name, clusters_[b].name);
+    return known_[names.first * groups_ + names.second];
   }
 
-  /** "G_i <- G_i U G_j", "V <- V \ {G_j}": CID_g to the union of two groups is the mean
-   *  of the CID_g to each, weighted with their sizes (Lance-Williams for Eq. 3). */
-  void
-  join(std::size_t i, std::size_t j)
+  /** CID_g to the union of two clusters is the mean of the CID_g to each, weighted with
+   *  their sizes (Lance-Williams for Eq. 3). */
+  double
+  toUnion(std::size_t first,
+          double to_first,
+          std::size_t second,
+          double to_second) const
   {
-    alive_.erase(std::lower_bound(alive_.begin(), alive_.end(), j));
-    const auto weight_i = static_cast<double>(sizes_[i]);
-    const auto weight_j = static_cast<double>(sizes_[j]);
-    for (const std::size_t k : alive_)
-      if (k != i)
-        matrix_.set(i,
-                    k,
-                    (weight_i * matrix_(i, k) + weight_j * matrix_(j, k)) /
-                        (weight_i + weight_j));
-    sizes_[i] += sizes_[j];
-    for (const std::size_t k : alive_) {
-      if (k == i || nearest_[k] == i || nearest_[k] == j)
-        findNearest(k);
-      else if (k < i && isNearer(k, i))
-        nearest_[k] = i;
+    const auto weight_first = static_cast<double>(clusters_[first].size);
+    const auto weight_second = static_cast<double>(clusters_[second].size);
+    return (weight_first * to_first + weight_second * to_second) /
+           (weight_first + weight_second);
+  }
+
+  /** CID_g of two clusters from that of all pairs of their groups. The cluster that was
+   *  made last is taken apart first: the order in which the merges added them up. */
+  double
+  exactLinkage(std::size_t a, std::size_t b) const
+  {
+    if (a < b)
+      std::swap(a, b);
+    const Cluster& made = clusters_[a];
+    if (made.first == none)
+      return cids_.value({b, a});
+    return toUnion(made.first,
+                   exactLinkage(made.first, b),
+                   made.second,
+                   exactLinkage(made.second, b));
+  }
+
+  /** The pairs of groups below two clusters whose CID_g is not known. */
+  void
+  collectUnknown(std::size_t a,
+                 std::size_t b,
+                 std::vector<GroupCIDs::Pair>& unknown) const
+  {
+    if (a < b)
+      std::swap(a, b);
+    if (clusters_[a].first != none) {
+      collectUnknown(clusters_[a].first, b, unknown);
+      collectUnknown(clusters_[a].second, b, unknown);
     }
+    else if (!cids_.isExact({b, a}))
+      unknown.push_back({b, a});
+  }
+
+  void
+  push(std::size_t a, std::size_t b)
+  {
+    const Linkage between = known(a, b);
+    const auto names = std::minmax(clusters_[a].name, clusters_[b].name);
+    queue_.push({between.value, between.exact, a, b, names.first, names.second});
   }
 
   bool
-  isNearer(std::size_t k, std::size_t candidate)
+  isCurrent(const Entry& entry) const
   {
-    const double now = matrix_(k, nearest_[k]);
-    const double then = matrix_(k, candidate);
-    return then < now || (then == now && candidate < nearest_[k]);
+    return clusters_[entry.a].alive && clusters_[entry.b].alive;
   }
 
-  void
-  findNearest(std::size_t k)
+  Entry
+  findClosest()
   {
-    const auto later = std::upper_bound(alive_.begin(), alive_.end(), k);
-    if (later == alive_.end())
-      return;
-    nearest_[k] = *later;
-    for (auto other = later; other != alive_.end(); ++other)
-      if (matrix_(k, *other) < matrix_(k, nearest_[k]))
-        nearest_[k] = *other;
+    for (;;) {
+      std::vector<Entry> bounds;
+      std::vector<GroupCIDs::Pair> unknown;
+      while (!queue_.empty() && unknown.size() < most_at_once) {
+        const Entry entry = queue_.top();
+        if (isCurrent(entry) && entry.exact)
+          break;
+        queue_.pop();
+        if (!isCurrent(entry))
+          continue;
+        collectUnknown(entry.a, entry.b, unknown);
+        bounds.push_back(entry);
+      }
+      if (bounds.empty()) {
+        const Entry closest = queue_.top();
+        queue_.pop();
+        return closest;
+      }
+      cids_.makeExact(unknown);
+      for (const Entry& entry : bounds) {
+        known(entry.a, entry.b) = {exactLinkage(entry.a, entry.b), true};
+        push(entry.a, entry.b);
+      }
+    }
   }
 
-  GroupMatrix matrix_;
-  std::vector<std::size_t> sizes_;
-  std::vector<std::size_t> alive_;   ///< groups not merged into another, ascending
-  std::vector<std::size_t> nearest_; ///< of higher number; none for the last alive
+  MergeStep
+  join(const Entry& closest)
+  {
+    clusters_[closest.a].alive = false;
+    clusters_[closest.b].alive = false;
+    const bool ordered = clusters_[closest.a].name == closest.name_a;
+    const std::size_t first = ordered ? closest.a : closest.b;
+    const std::size_t second = ordered ? closest.b : closest.a;
+    const std::size_t size = clusters_[first].size + clusters_[second].size;
+    const std::size_t made = clusters_.size();
+    clusters_.push_back({closest.name_a, size, first, second});
+    alive_.erase(std::remove_if(alive_.begin(),
+                                alive_.end(),
+                                [&](std::size_t c) { return !clusters_[c].alive; }),
+                 alive_.end());
+    for (const std::size_t other : alive_) {
+      const Linkage to_first = known(first, other);
+      const Linkage to_second = known(second, other);
+      known(made, other) = {toUnion(first, to_first.value, second, to_second.value),
+                            to_first.exact && to_second.exact};
+      push(made, other);
+    }
+    alive_.push_back(made);
+    return {static_cast<int>(closest.name_a),
+            static_cast<int>(closest.name_b),
+            closest.value,
+            size};
+  }
+
+  GroupCIDs& cids_;
+  std::size_t groups_;
+  std::vector<Linkage> known_; ///< by the names of two clusters
+  std::vector<Cluster> clusters_;
+  std::vector<std::size_t> alive_;
+  std::priority_queue<Entry> queue_;
 };
+
+/** Up to which height the merges of a tree, which may have been stopped, are all there.
+ */
+double
+knownHeight(const std::vector<MergeStep>& steps,
+            std::size_t groups,
+            const GroupMergingOptions& options)
+{
+  if (steps.size() + 1 == groups)
+    return std::numeric_limits<double>::infinity();
+  if (groups - steps.size() > options.stop_at_parts)
+    return options.stop_at_height;
+  return steps.empty() ? 0.0 : std::nextafter(steps.back().height, 0.0);
+}
 
 } // namespace
 
-MergeTree::MergeTree(std::vector<std::size_t> group_sizes, std::vector<MergeStep> steps)
-: group_sizes_(std::move(group_sizes)), steps_(std::move(steps))
+MergeTree::MergeTree(std::vector<std::size_t> group_sizes,
+                     std::vector<MergeStep> steps,
+                     double known_height)
+: group_sizes_(std::move(group_sizes))
+, steps_(std::move(steps))
+, known_height_(known_height)
 {
 }
 
 std::vector<int>
 MergeTree::cutAfterMerges(std::size_t merges) const
 {
+  if (numberOfGroups() > 0)
+    requireKnown(std::min(merges, numberOfGroups() - 1) <= steps_.size(),
+                 sentence("after ", merges, " merges"));
   std::vector<int> joined_into(numberOfGroups());
   std::iota(joined_into.begin(), joined_into.end(), 0);
   for (std::size_t n = 0; n < std::min(merges, steps_.size()); ++n)
@@ -236,18 +320,34 @@ MergeTree::cutAfterMerges(std::size_t merges) const
   return part;
 }
 
+void
+MergeTree::requireKnown(bool known, const std::string& cut) const
+{
+  if (!known)
+    throw CIDException(sentence("the merge tree has ",
+                                steps_.size(),
+                                " of ",
+                                numberOfGroups() - 1,
+                                " merges, since it was stopped early; a cut ",
+                                cut,
+                                " needs more of them"));
+}
+
 std::vector<int>
 MergeTree::cutAtParts(std::size_t parts) const
 {
   requireAtLeast("number of parts", parts, std::size_t{1});
   const std::size_t groups = numberOfGroups();
-  return cutAfterMerges(groups > parts ? groups - parts : 0);
+  const std::size_t merges = groups > parts ? groups - parts : 0;
+  requireKnown(merges <= steps_.size(), sentence("at ", parts, " parts"));
+  return cutAfterMerges(merges);
 }
 
 std::vector<int>
 MergeTree::cutAtHeight(double threshold) const
 {
   requireNotNegative("merge threshold", threshold, "metres");
+  requireKnown(threshold <= known_height_, sentence("at ", threshold, " metres"));
   std::size_t merges = 0;
   while (merges < steps_.size() && steps_[merges].height <= threshold)
     ++merges;
@@ -277,14 +377,22 @@ mergeGroups(const DistanceField& field,
   requirePoints(points);
   requireSamples(options.samples);
   requireAtLeast("number of samples of a group", options.group_samples, std::size_t{1});
+  requireAtLeast("number of parts to stop at", options.stop_at_parts, std::size_t{1});
+  if (!(options.stop_at_height >= 0.0))
+    throw CIDException(sentence("the height to stop at is ",
+                                options.stop_at_height,
+                                "; it must be 0 metres or more"));
   const std::vector<pcl::Indices> members = membersOfGroups(group, groups);
   std::vector<std::size_t> sizes;
   for (const pcl::Indices& of_group : members)
     sizes.push_back(of_group.size());
 
-  const std::vector<Points> drawn = drawFromGroups(points, members, options);
-  AverageLinkage linkage(groupMatrix(field, drawn, options), sizes); // Eq. 3
-  return MergeTree(sizes, linkage.run());                            // Algorithm 2
+  Progress progress(options.execution.progress);
+  GroupCIDs cids(field, drawFromGroups(points, members, options), options, progress);
+  AverageLinkage linkage(cids, sizes);
+  std::vector<MergeStep> steps =
+      linkage.run(options.stop_at_parts, options.stop_at_height);
+  return MergeTree(sizes, steps, knownHeight(steps, groups, options));
 }
 
 } // namespace pcl_cid

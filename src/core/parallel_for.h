@@ -86,8 +86,7 @@ parallelFor(std::size_t count,
   }
   if (failure)
     std::rethrow_exception(failure);
-  if (progress.cancelled())
-    throw CIDCancelled();
+  progress.check(span.end);
 }
 
 } // namespace pcl_cid

@@ -21,7 +21,6 @@
 namespace pcl_cid::test {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t plenty = std::size_t{1} << 30;
 
 /** A tree and a grid over it. */
@@ -35,10 +34,18 @@ struct Indexed {
   {
   }
 
+  float
+  squaredDistance(const Eigen::Vector3f& x) const
+  {
+    BlockTree::Nearest nearest;
+    tree.descend(1, x, nearest);
+    return nearest.squared_distance;
+  }
+
   double
   distance(const Eigen::Vector3f& x) const
   {
-    return std::sqrt(static_cast<double>(tree.squaredDistanceBelow(1, x, infinity)));
+    return std::sqrt(static_cast<double>(squaredDistance(x)));
   }
 };
 
@@ -109,11 +116,11 @@ TEST_P(GridOfClouds, AnswersAreExactToTheBit)
   std::size_t answered = 0;
   const Points x = probes(GetParam().points, 10000, 136);
   for (const Eigen::Vector3f& probe : x) {
-    const float squared = indexed.grid.squaredDistance(probe);
-    if (squared < 0.0f)
+    const BlockTree::Nearest nearest = indexed.grid.nearest(probe);
+    if (nearest.slot < 0)
       continue;
     ++answered;
-    wrong += squared != indexed.tree.squaredDistanceBelow(1, probe, infinity);
+    wrong += nearest.squared_distance != indexed.squaredDistance(probe);
   }
   EXPECT_EQ(wrong, 0u);
   EXPECT_GT(answered, x.size() / 20) << "the grid must answer near the surface";
@@ -132,9 +139,9 @@ TEST_P(GridOfClouds, LittleMemoryIsKeptToAndChangesNoAnswer)
       const double d = rich.distance(x);
       EXPECT_LE(static_cast<double>(bounds.low), d);
       EXPECT_GE(static_cast<double>(bounds.high), d);
-      const float squared = poor.grid.squaredDistance(x);
-      if (squared >= 0.0f) {
-        EXPECT_EQ(squared, rich.tree.squaredDistanceBelow(1, x, infinity));
+      const BlockTree::Nearest nearest = poor.grid.nearest(x);
+      if (nearest.slot >= 0) {
+        EXPECT_EQ(nearest.squared_distance, rich.squaredDistance(x));
       }
     }
   }
@@ -150,8 +157,7 @@ TEST_P(GridOfClouds, IsTheSameForEveryNumberOfThreads)
     for (const Eigen::Vector3f& probe : x) {
       EXPECT_EQ(parallel.grid.bounds(probe).low, serial.grid.bounds(probe).low);
       EXPECT_EQ(parallel.grid.bounds(probe).high, serial.grid.bounds(probe).high);
-      EXPECT_EQ(parallel.grid.squaredDistance(probe),
-                serial.grid.squaredDistance(probe));
+      EXPECT_EQ(parallel.grid.nearest(probe).slot, serial.grid.nearest(probe).slot);
     }
   }
 }

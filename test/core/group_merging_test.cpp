@@ -10,6 +10,7 @@
 #include "clouds.h"
 #include "oracle.h"
 
+#include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/exceptions.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -132,6 +134,84 @@ TEST_P(MergingOfClouds, CutsAgreeWithEachOther)
   EXPECT_EQ(tree.cutAfterMerges(1000), tree.cutAtParts(1));
   EXPECT_EQ(partsOf(tree.cutAtParts(1000)), groups);
   EXPECT_EQ(tree.cutAtHeight(1e9), tree.cutAtParts(1));
+}
+
+/** Average linkage on a full matrix, without bounds: Algorithm 2 with Lance-Williams.
+ */
+std::vector<MergeStep>
+mergeByFullMatrix(const DistanceField& field,
+                  const Points& points,
+                  const SeedProposal& proposal)
+{
+  const std::size_t groups = proposal.seeds.size();
+  std::vector<Points> members(groups);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    members[static_cast<std::size_t>(proposal.group[i])].push_back(points[i]);
+  std::vector<std::vector<double>> matrix(groups,
+                                          std::vector<double>(groups, INFINITY));
+  for (std::size_t i = 0; i < groups; ++i)
+    for (std::size_t j = i + 1; j < groups; ++j)
+      matrix[i][j] = groupCID(field, members[i], members[j], samples);
+  std::vector<std::size_t> sizes;
+  for (const Points& of_group : members)
+    sizes.push_back(of_group.size());
+  std::vector<MergeStep> steps;
+  while (steps.size() + 1 < groups) {
+    std::size_t i = 0, j = 1;
+    for (std::size_t k = 0; k < groups; ++k)
+      for (std::size_t l = k + 1; l < groups; ++l)
+        if (matrix[k][l] < matrix[i][j]) {
+          i = k;
+          j = l;
+        }
+    const double height = matrix[i][j];
+    const auto w = static_cast<double>(sizes[i]);
+    const auto v = static_cast<double>(sizes[j]);
+    for (std::size_t k = 0; k < groups; ++k) {
+      double& to_i = matrix[std::min(i, k)][std::max(i, k)];
+      double& to_j = matrix[std::min(j, k)][std::max(j, k)];
+      if (k != i && k != j)
+        to_i = (w * to_i + v * to_j) / (w + v);
+      to_j = INFINITY;
+    }
+    sizes[i] += sizes[j];
+    steps.push_back({static_cast<int>(i), static_cast<int>(j), height, sizes[i]});
+  }
+  return steps;
+}
+
+TEST_P(MergingOfClouds, EqualsTheFullMatrixToTheBit)
+{
+  const MergeTree tree = treeOf(points_, proposal_, exact());
+  const std::vector<MergeStep> expected =
+      mergeByFullMatrix(DistanceField(points_), points_, proposal_);
+  expectSame(tree, MergeTree(tree.groupSizes(), expected));
+}
+
+TEST_P(MergingOfClouds, TreeThatStopsEarlyIsTheBeginningOfTheWhole)
+{
+  const MergeTree whole = treeOf(points_, proposal_, GroupMergingOptions());
+  const std::size_t groups = whole.numberOfGroups();
+  const auto expectBeginning = [&](const MergeCut& cut) {
+    GroupMergingOptions options;
+    options.stopAt(cut, groups);
+    const MergeTree part = treeOf(points_, proposal_, options);
+    EXPECT_EQ(part.cut(cut), whole.cut(cut));
+    std::vector<MergeStep> beginning = whole.steps();
+    beginning.resize(part.steps().size());
+    if (part.steps().size() + 1 < groups) {
+      EXPECT_THROW(part.cutAtParts(1), CIDException);
+      EXPECT_THROW(part.cutAfterMerges(groups), CIDException);
+      EXPECT_THROW(part.cutAtHeight(1e9), CIDException);
+    }
+    expectSame(part, MergeTree(whole.groupSizes(), beginning));
+  };
+  for (std::size_t count = 1; count <= groups; ++count) {
+    expectBeginning({MergeCut::Rule::parts, count, 0.0});
+    expectBeginning({MergeCut::Rule::merges, count - 1, 0.0});
+  }
+  for (const MergeStep& step : whole.steps())
+    expectBeginning({MergeCut::Rule::threshold, 0, step.height});
 }
 
 std::vector<NamedPoints>

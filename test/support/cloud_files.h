@@ -11,6 +11,7 @@
 
 #include <pcl_cid/io/labelled_cloud.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -74,7 +75,7 @@ appendField(const std::string& name,
   grown.data.assign(std::size_t{grown.point_step} * values.size(), 0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::uint8_t* const point = grown.data.data() + i * grown.point_step;
-    std::memcpy(point, cloud.data.data() + i * cloud.point_step, cloud.point_step);
+    std::copy_n(cloud.data.data() + i * cloud.point_step, cloud.point_step, point);
     std::memcpy(point + field.offset, &values[i], sizeof(Value));
   }
   cloud = grown;

@@ -197,7 +197,9 @@ TEST_F(AbstractTool, ThickensThinParts)
             "0.2",
             "--report",
             file("report.json")});
-  for (const nlohmann::json& part : json("report.json")["parts"])
+  const nlohmann::json parts = json("report.json")["parts"];
+  ASSERT_EQ(parts.size(), 5u);
+  for (const nlohmann::json& part : parts)
     EXPECT_GE(part["thickness"], 0.1999);
 }
 

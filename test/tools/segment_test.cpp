@@ -11,6 +11,7 @@
 
 #include <pcl_cid/cid_label_propagation.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -219,6 +220,42 @@ TYPED_TEST(LabelledInput, PlaysTheAnnotatorWhateverItsType)
   EXPECT_DOUBLE_EQ(score["share_right"], share);
   // The field was replaced, in its place.
   EXPECT_EQ(readCloud(this->file("out.pcd")).fields.fields.size(), 5u);
+}
+
+TEST_F(SegmentTool, PlaysTheAnnotatorOnARealScan)
+{
+  const std::string scan = PCL_CID_SHARED_DIR "/data/mosd_learn41.pcd";
+  if (!std::filesystem::exists(scan))
+    GTEST_SKIP() << scan << " is absent";
+  segment({scan,
+           file("out.pcd"),
+           "--labels-from",
+           "label",
+           "--subsample",
+           "1500",
+           "--report",
+           file("report.json")});
+  const LoadedByPCL truth = loadWithPCL(scan);
+  const LoadedByPCL result = loadWithPCL(file("out.pcd"));
+  ASSERT_EQ(result.cloud.fields.size(), truth.cloud.fields.size());
+  EXPECT_EQ(result.cloud.fields[0].name, "label"); // in its place
+  EXPECT_EQ(bytesOf(result.cloud, "rgba"), bytesOf(truth.cloud, "rgba"));
+  const auto z = valuesOf<float>(truth.cloud, "z");
+  const auto expected = valuesOf<std::uint32_t>(truth.cloud, "label");
+  const auto labels = valuesOf<std::uint32_t>(result.cloud, "label");
+  std::size_t right = 0;
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (!std::isfinite(z[i])) {
+      EXPECT_EQ(labels[i], 0u);
+      continue;
+    }
+    ++finite;
+    right += labels[i] == expected[i] ? 1 : 0;
+  }
+  const double share = static_cast<double>(right) / static_cast<double>(finite);
+  EXPECT_GT(share, 0.8);
+  EXPECT_DOUBLE_EQ(report()["score"]["share_right"], share);
 }
 
 TEST_F(SegmentTool, WritesTheLabelTypeThatIsAskedFor)

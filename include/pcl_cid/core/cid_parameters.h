@@ -134,7 +134,7 @@ public:
     return search_method_;
   }
 
-  /** \brief Bytes that the index of the surface may take (see DistanceField); 0, the
+  /** \brief Bytes that the grid of the surface may take (see DistanceField); 0, the
    *  default, means a quarter of the machine's memory. Never changes a result. */
   void
   setMemoryBudget(std::size_t memory_budget = 0)
@@ -148,12 +148,9 @@ public:
     return memory_budget_;
   }
 
-  /** \brief Number of threads; 0, the default, means all. */
+  /** \brief Number of threads, at most 1024; 0, the default, means all. */
   void
-  setNumberOfThreads(unsigned int number_of_threads = 0)
-  {
-    number_of_threads_ = number_of_threads;
-  }
+  setNumberOfThreads(unsigned int number_of_threads = 0);
 
   unsigned int
   getNumberOfThreads() const

@@ -33,8 +33,8 @@ struct TriangleMesh {
 
 /** \brief How hulls are made. */
 struct ConvexPartOptions {
-  /** Least extent of a hull along each principal axis of its part, metres, above 0.
-   *  Thinner parts (a wall is one) are thickened, symmetric about their points. */
+  /** Least width of a hull over its face normals, metres, above 0. Thinner parts (a
+   *  wall is one) are thickened, symmetric about their points. */
   double min_thickness = 0.005;
 };
 

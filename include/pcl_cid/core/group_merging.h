@@ -13,8 +13,11 @@
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/pcl_cid_export.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <pcl/types.h>
@@ -50,15 +53,19 @@ struct MergeCut {
  *  CID_g is a mean over pairs (Eq. 3), so the merges are an average linkage, whose
  *  heights never fall (up to rounding): one dendrogram holds the result for every
  *  number of merges, number of parts and threshold (*ours*). A cut gives the number of
- *  the part of each group; parts are numbered 0, 1, ... by their lowest group. */
+ *  the part of each group; parts are numbered 0, 1, ... by their lowest group. A tree
+ *  that was stopped early refuses a cut that needs more merges than it has. */
 class PCL_CID_EXPORT MergeTree {
 public:
   /** \brief No groups. */
   MergeTree() = default;
 
   /** \param[in] group_sizes points in each of the K groups
-   *  \param[in] steps the merges in order; at most K - 1 */
-  MergeTree(std::vector<std::size_t> group_sizes, std::vector<MergeStep> steps);
+   *  \param[in] steps the merges in order; at most K - 1
+   *  \param[in] known_height no merge up to this height is missing, metres */
+  MergeTree(std::vector<std::size_t> group_sizes,
+            std::vector<MergeStep> steps,
+            double known_height = std::numeric_limits<double>::infinity());
 
   /** \brief K. */
   std::size_t
@@ -104,8 +111,12 @@ public:
   cut(const MergeCut& where) const;
 
 private:
+  void
+  requireKnown(bool known, const std::string& cut) const;
+
   std::vector<std::size_t> group_sizes_;
   std::vector<MergeStep> steps_;
+  double known_height_ = std::numeric_limits<double>::infinity();
 };
 
 /** \brief How CID_g is estimated. */
@@ -117,24 +128,46 @@ struct GroupMergingOptions {
   int samples = 100;
   /** Seed of the draw. */
   std::uint64_t random_seed = 0;
+  /** Where Algorithm 2 stops: when so many parts remain, at least 1, or when the
+   *  smallest CID_g exceeds so many metres. The defaults make the whole tree, for which
+   *  the CID_g of every pair is computed; a tree that stops early leaves most of them
+   *  out. */
+  std::size_t stop_at_parts = 1;
+  double stop_at_height = std::numeric_limits<double>::infinity();
+
+  /** \brief Stop where a cut of the whole tree would be.
+   *  \param[in] cut one of the three
+   *  \param[in] groups K */
+  void
+  stopAt(const MergeCut& cut, std::size_t groups)
+  {
+    if (cut.rule == MergeCut::Rule::threshold)
+      stop_at_height = cut.height;
+    else if (cut.rule == MergeCut::Rule::parts)
+      stop_at_parts = cut.count;
+    else
+      stop_at_parts = groups - std::min(cut.count, groups - 1);
+  }
   ExecutionOptions execution;
 };
 
-/** \brief Algorithm 2 (group merging), run to the end.
+/** \brief Algorithm 2 (group merging), run to the end or to the stop asked for.
  *
- *  The K x K matrix of CID_g is estimated once, from a stratified draw: the members of
- *  a group, in the order of the points, are cut into `group_samples` runs of equal
- *  length and one point is drawn from each. A merge replaces two rows by their mean
- *  weighted with the true group sizes (Lance-Williams), which is what computing CID_g
- *  again would give. Equal CID_g: the pair of lowest numbers first.
+ *  The K x K matrix of CID_g is that of a stratified draw: the members of a group, in
+ *  the order of the points, are cut into `group_samples` runs of equal length and one
+ *  point is drawn from each. A merge replaces two rows by their mean weighted with the
+ *  true group sizes (Lance-Williams), which is what computing CID_g again would give.
+ *  Equal CID_g: the pair of lowest numbers first.
  *  \param[in] field the surface S
  *  \param[in] points the grouped points, in the frame of the surface
  *  \param[in] group number of the group of each point, 0 to groups - 1; -1 for none
  *  \param[in] groups K; every group has at least 1 point
  *  \param[in] options sampling, threads, progress
  *  \throws CIDException for a setting out of its range or an empty group, CIDCancelled
- *  \note Cost: K^2 / 2 x group_samples^2 CID evaluations, then O(K^2). O(K^2) memory.
- *  Same result for every number of threads. */
+ *  A pair of groups is compared exactly only when the next merge depends on it;
+ *  certified lower bounds hold the others back (*ours*).
+ *  \note Cost: at most K^2 / 2 x group_samples^2 CID evaluations, for the whole tree,
+ *  and O(K^2 log K). O(K^2) memory. Same result for every number of threads. */
 PCL_CID_EXPORT MergeTree
 mergeGroups(const DistanceField& field,
             const Points& points,

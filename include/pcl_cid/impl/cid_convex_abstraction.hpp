@@ -30,9 +30,9 @@ template <typename PointT>
 void
 CIDConvexAbstraction<PointT>::setMergeThreshold(double merge_threshold)
 {
-  if (!(merge_threshold >= 0.0))
+  if (!(merge_threshold >= 0.0) || merge_threshold > 1e15)
     throw CIDException("the merge threshold is " + std::to_string(merge_threshold) +
-                       "; it must be 0 metres or more");
+                       "; it must be a number of metres, 0 or more");
   merge_cut_ = {MergeCut::Rule::threshold, 0, merge_threshold};
 }
 
@@ -77,10 +77,7 @@ CIDConvexAbstraction<PointT>::decompose(double until)
   const WorkingSet& working = *ready.working;
   const SeedProposal proposal = propose(
       ready, *this, false, this->execution(0.0, 0.5 * until), "CIDConvexAbstraction");
-  GroupMergingOptions options;
-  options.group_samples = static_cast<std::size_t>(group_sample_size_);
-  options.samples = this->getNumberOfSamples();
-  options.random_seed = this->getRandomSeed();
+  GroupMergingOptions options = mergingOptions(proposal.seeds.size());
   options.execution = this->execution(0.5 * until, until);
   merge_tree_ = mergeGroups(working.field(),
                             working.points(),
@@ -89,6 +86,19 @@ CIDConvexAbstraction<PointT>::decompose(double until)
                             options);
   proposal_ = working.carryOn(proposal, this->input_->size());
   return merge_tree_.cut(merge_cut_);
+}
+
+template <typename PointT>
+GroupMergingOptions
+CIDConvexAbstraction<PointT>::mergingOptions(std::size_t groups) const
+{
+  GroupMergingOptions options;
+  options.group_samples = static_cast<std::size_t>(group_sample_size_);
+  options.samples = this->getNumberOfSamples();
+  options.random_seed = this->getRandomSeed();
+  if (stop_at_cut_)
+    options.stopAt(merge_cut_, groups);
+  return options;
 }
 
 template <typename PointT>

@@ -12,6 +12,8 @@
 #include <pcl_cid/cid_sampler.h>
 #include <pcl_cid/impl/cid_base.hpp>
 
+#include <string>
+
 namespace pcl_cid {
 
 template <typename PointT>
@@ -26,6 +28,7 @@ CIDSampler<PointT>::sample(pcl::Indices& seeds)
       propose(*prepared, *this, true, this->execution(0.0, 1.0), "CIDSampler::sample");
   prepared_ = std::move(prepared);
   sampled_ = this->input_;
+  sampled_with_ = this->getNumberOfSamples();
   publish(seeds);
   this->deinitCompute();
 }
@@ -37,6 +40,11 @@ CIDSampler<PointT>::extend(int number_of_seeds, pcl::Indices& seeds)
   seeds.clear();
   if (!prepared_ || sampled_ != this->input_)
     throw CIDException("there is no sample of this input cloud to extend; call sample");
+  if (sampled_with_ != this->getNumberOfSamples())
+    throw CIDException("the number of samples on a segment has changed from " +
+                       std::to_string(sampled_with_) + " to " +
+                       std::to_string(this->getNumberOfSamples()) +
+                       "; what is extended must keep it");
   this->setNumberOfSeeds(number_of_seeds);
   pcl_cid::extend(*prepared_,
                   *this,

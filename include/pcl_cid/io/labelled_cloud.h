@@ -73,13 +73,13 @@ struct CloudPoints {
  *  them it is, its content says.
  *
  *  Stricter than PCL's readers, and silent: whatever does not fit the header is an
- * error. Fields get the names that PCL gives them: red, green and blue of a PLY become
- * `rgb` (`rgba` with alpha), nx, ny and nz become `normal_x`, `normal_y` and
- * `normal_z`. The pose and the width and height of a PLY are those of its `camera`
- * element, where PCL writes them. Faces of a PLY are passed over, and so is padding
- * (fields named `_`) of a PCD. \throws CIDException when the file cannot be opened, is
- * empty, truncated, damaged or of another format, holds no point, or has no single x, y
- * and z */
+ *  error. Fields get the names that PCL gives them: red, green and blue of a PLY become
+ *  `rgb` (`rgba` with alpha), nx, ny and nz become `normal_x`, `normal_y` and
+ *  `normal_z`. The pose and the width and height of a PLY are those of its `camera`
+ *  element, where PCL writes them. Faces of a PLY are passed over, and so is padding
+ *  (fields named `_`) of a PCD.
+ *  \throws CIDException when the file cannot be opened, is empty, truncated, damaged or
+ *  of another format, holds no point, or has no single x, y and z */
 PCL_CID_IO_EXPORT LabelledCloud
 readCloud(const std::string& path);
 
@@ -89,20 +89,24 @@ PCL_CID_IO_EXPORT CloudPoints
 pointsOf(const LabelledCloud& cloud);
 
 /** \brief Any field as labels, converted by its declared type; 0 where \a points are
- * not finite. \param[in] field its name \param[in] points the coordinates of the cloud
+ *  not finite.
+ *  \param[in] field its name
+ *  \param[in] points the coordinates of the cloud
  *  \throws CIDException when there is no such field (the message lists those there
- * are), when it has several values a point, or when the value of a finite point is not
- * a whole number from 0 to 4294967295 */
+ *  are), when it has several values a point, or when the value of a finite point is not
+ *  a whole number from 0 to 4294967295 */
 PCL_CID_IO_EXPORT std::vector<std::uint32_t>
 labelsOf(const LabelledCloud& cloud,
          const std::string& field,
          const CloudPoints& points);
 
 /** \brief Give the cloud a field `label`, in the place of one that it has, else after
- * all other fields. \param[in,out] cloud unchanged when an exception is thrown
- *  \param[in] labels one for each point \param[in] type of the field \throws
- * CIDException when a label does not fit the type (F4 holds whole numbers up to 2^24)
- * or there is not one for each point */
+ *  all other fields.
+ *  \param[in,out] cloud unchanged when an exception is thrown
+ *  \param[in] labels one for each point
+ *  \param[in] type of the field
+ *  \throws CIDException when a label does not fit the type (F4 holds whole numbers up
+ *  to 2^24) or there is not one for each point */
 PCL_CID_IO_EXPORT void
 setLabels(const std::vector<std::uint32_t>& labels,
           LabelType type,
@@ -110,19 +114,20 @@ setLabels(const std::vector<std::uint32_t>& labels,
 
 /** \brief The format that a cloud is written in, by the name of the file: ascii stays
  *  ascii, binary PCD stays binary, all else becomes binary compressed for `.pcd` and
- * binary for `.ply`. \param[in] path ends in .pcd or .ply, in any case \throws
- * CIDException when it does not */
+ *  binary for `.ply`.
+ *  \param[in] path ends in .pcd or .ply, in any case
+ *  \throws CIDException when it does not */
 PCL_CID_IO_EXPORT CloudFormat
 formatFor(const std::string& path, CloudFormat source);
 
 /** \brief Write a cloud; a test of the stream's state afterwards says whether it
- * worked.
+ *  worked.
  *
  *  PCD keeps every bit of every field. In ascii, `rgb` of type F is written as type U,
- * as PCL does. PLY has the names that readCloud() reads, one property for each value of
- * a field with several, 8 bits for each colour (so `rgb` loses its unused fourth byte),
- * and the pose as axes.
- * \throws CIDException for 8-byte integers in PLY, which has no type for them */
+ *  as PCL does. PLY has the names that readCloud() reads, one property for each value
+ *  of a field with several, 8 bits for each colour (so `rgb` loses its unused fourth
+ *  byte), and the pose as axes.
+ *  \throws CIDException for 8-byte integers in PLY, which has no type for them */
 PCL_CID_IO_EXPORT void
 writeCloud(std::ostream& stream, const LabelledCloud& cloud, CloudFormat format);
 

@@ -21,7 +21,7 @@
 namespace pcl_cid {
 
 /** \brief Colour of a part: that of its number in pcl::GlasbeyLUT, whose 256 colours
- * are as different as can be; they repeat after that. */
+ *  are as different as can be; they repeat after that. */
 struct PartColour {
   std::uint8_t red;
   std::uint8_t green;
@@ -36,10 +36,10 @@ PCL_CID_IO_EXPORT std::string
 partName(std::size_t part);
 
 /** \brief A Wavefront OBJ: an object `o part_NNN` for each hull, coordinates with all
- * the digits of double. A test of the stream's state afterwards says whether it worked;
- * the same for all writers here.
+ *  the digits of double. A test of the stream's state afterwards says whether it
+ *  worked; the same for all writers here.
  *  \param[in] material_library name of the file that writeMTL() writes, as seen from
- * the OBJ */
+ *  the OBJ */
 PCL_CID_IO_EXPORT void
 writeOBJ(std::ostream& stream,
          const std::vector<ConvexPart>& parts,
@@ -50,12 +50,12 @@ PCL_CID_IO_EXPORT void
 writeMTL(std::ostream& stream, const std::vector<ConvexPart>& parts);
 
 /** \brief A binary PLY: one mesh, coordinates as double, for each face its colour and
- * the number of its part (`red`, `green`, `blue`, `part`). */
+ *  the number of its part (`red`, `green`, `blue`, `part`). */
 PCL_CID_IO_EXPORT void
 writePLY(std::ostream& stream, const std::vector<ConvexPart>& parts);
 
 /** \brief A binary STL: one mesh. The format holds float only: at UTM coordinates hulls
- * lose their shape (steps of 0.25 m at 4,000,000 m), which OBJ and PLY keep. */
+ *  lose their shape (steps of 0.25 m at 4,000,000 m), which OBJ and PLY keep. */
 PCL_CID_IO_EXPORT void
 writeSTL(std::ostream& stream, const std::vector<ConvexPart>& parts);
 
@@ -64,7 +64,7 @@ PCL_CID_IO_EXPORT pcl::PolygonMesh
 toPolygonMesh(const TriangleMesh& mesh);
 
 /** \brief Move hulls: back to the frame of a file whose coordinates had an offset taken
- * out (see CloudPoints). */
+ *  out (see CloudPoints). */
 PCL_CID_IO_EXPORT void
 translate(const Eigen::Vector3d& offset, std::vector<ConvexPart>& parts);
 

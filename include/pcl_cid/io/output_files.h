@@ -26,11 +26,11 @@ namespace pcl_cid {
  *  there before stays.
  *
  *  \code
- *  pcl_cid::OutputFiles outputs({"scan.pcd"});
- *  outputs.announce("labels.pcd");
- *  outputs.write("labels.pcd", [&](std::ostream& stream) { ... });
- *  outputs.commit();
- *  \endcode */
+ *    pcl_cid::OutputFiles outputs({"scan.pcd"});
+ *    outputs.announce("labels.pcd");
+ *    outputs.write("labels.pcd", [&](std::ostream& stream) { ... });
+ *    outputs.commit();
+ *    \endcode */
 class PCL_CID_IO_EXPORT OutputFiles {
 public:
   /** \param[in] inputs files that must never be written over */
@@ -56,8 +56,9 @@ public:
   void
   write(const std::string& path, const std::function<void(std::ostream&)>& writer);
 
-  /** \brief Let all outputs appear. \throws CIDException when one cannot; then none
-   * stays, unless an older file that was replaced already is lost */
+  /** \brief Let all outputs appear.
+   *  \throws CIDException when one cannot; then none stays, unless an older file that
+   *  was replaced already is lost */
   void
   commit();
 

@@ -41,8 +41,8 @@ struct LabelScore {
     return points == 0 ? 0.0 : static_cast<double>(right) / static_cast<double>(points);
   }
 
-  /** \brief Share of the points with a true label that is not 0 whose label is right.
-   */
+  /** \brief Share of the points with a true label that is not 0 whose label is
+   *  right. */
   double
   shareOfLabelled() const
   {
@@ -101,12 +101,12 @@ describeProposal(const SeedProposal& proposal,
                  Report& report);
 
 /** \brief The report with the library's version and the peak memory of this process so
- * far, as JSON. */
+ *  far, as JSON. */
 PCL_CID_IO_EXPORT std::string
 toJson(const Report& report);
 
 /** \brief A merge tree as JSON: `group_sizes`, and `steps` with `first`, `second`,
- * `height` (metres) and `size` (points). */
+ *  `height` (metres) and `size` (points). */
 PCL_CID_IO_EXPORT std::string
 toJson(const MergeTree& tree);
 

@@ -29,7 +29,7 @@ struct SeedTable {
 };
 
 /** \brief Write a table for an annotator: columns `index,x,y,z,label`, a row for each
- * seed in order, the labels empty.
+ *  seed in order, the labels empty.
  *  \param[in] points coordinates that the seeds are indices of; written with the offset
  *  added, with as many digits as they have */
 PCL_CID_IO_EXPORT void
@@ -40,14 +40,15 @@ writeSeedTable(std::ostream& stream,
 /** \brief Read a table that an annotator has filled in.
  *
  *  Comma-separated, with a header that names at least `index` and `label`, in any
- *  order; more columns are passed over. Rows may be removed, added and reordered.
- *  An empty label means "not asked": the row is no seed. Label 0 means "asked, and it
- * is none". Blank lines, spaces, CRLF and a byte order mark are fine. Coordinates may
- * be empty; where they are given, they must be those of the point, to within 1/1000 of
- * the cloud's diagonal: else the table belongs to another cloud. \throws CIDException
- * with file, line and value when a column is missing, an index is no finite point or
- * stands twice with two labels, a label or an index is not a whole number (0 to
- * 4294967295), or coordinates differ; and when there is no label at all */
+ *  order; more columns are passed over. Rows may be removed, added and reordered. An
+ *  empty label means "not asked": the row is no seed. Label 0 means "asked, and it is
+ *  none". Blank lines, spaces, CRLF and a byte order mark are fine. Coordinates may be
+ *  empty; where they are given, they must be those of the point, to within 1/1000 of
+ *  the cloud's diagonal: else the table belongs to another cloud.
+ *  \throws CIDException with file, line and value when a column is missing, an index is
+ *  no finite point or stands twice with two labels, a label or an index is not a whole
+ *  number (0 to 4294967295), or coordinates differ; and when there is no label at
+ *  all */
 PCL_CID_IO_EXPORT SeedTable
 readSeedTable(const std::string& path, const CloudPoints& points);
 

@@ -1,0 +1,275 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Times of the single steps on generated rooms.
+ */
+
+#include "benchmark_cloud.h"
+
+#include <pcl_cid/core/concavity.h>
+#include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/distance_field.h>
+#include <pcl_cid/core/group_merging.h>
+#include <pcl_cid/core/random.h>
+#include <pcl_cid/core/seed_proposal.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace pcl_cid::benchmarks {
+namespace {
+
+constexpr int samples = 100; // M
+constexpr std::size_t queries = 1 << 14;
+
+/** A room, and what its steps hand on to each other; each made once, when asked for. */
+class Room {
+public:
+  Room(RoomScan scan, std::size_t points)
+  : points_(finitePoints(*makeRoomCloud(scan, points)))
+  {
+  }
+
+  const PointSet&
+  pointSet() const
+  {
+    return points_;
+  }
+
+  const Points&
+  points() const
+  {
+    return points_.points;
+  }
+
+  const DistanceField&
+  field()
+  {
+    if (!field_)
+      field_ = std::make_unique<DistanceField>(points());
+    return *field_;
+  }
+
+  const SeedProposal&
+  proposal()
+  {
+    if (proposal_.seeds.empty())
+      proposal_ = proposeSeeds(field(), points(), 0, SeedProposalOptions());
+    return proposal_;
+  }
+
+  const MergeTree&
+  mergeTree()
+  {
+    if (merge_tree_.numberOfGroups() == 0)
+      merge_tree_ = mergeGroups(field(),
+                                points(),
+                                proposal().group,
+                                proposal().seeds.size(),
+                                GroupMergingOptions());
+    return merge_tree_;
+  }
+
+private:
+  PointSet points_;
+  std::unique_ptr<DistanceField> field_;
+  SeedProposal proposal_;
+  MergeTree merge_tree_;
+};
+
+/** The room that the arguments of a benchmark name. */
+Room&
+roomOf(benchmark::State& state)
+{
+  static std::map<std::pair<std::int64_t, std::int64_t>, std::unique_ptr<Room>> rooms;
+  const auto scan = static_cast<RoomScan>(state.range(0));
+  state.SetLabel(scan == RoomScan::even ? "even" : "sensor");
+  std::unique_ptr<Room>& room = rooms[{state.range(0), state.range(1)}];
+  if (!room)
+    room = std::make_unique<Room>(scan, static_cast<std::size_t>(state.range(1)));
+  return *room;
+}
+
+/** A segment from a point to a seed. */
+struct Segment {
+  std::size_t point;
+  Eigen::Vector3f p;
+  Eigen::Vector3f q;
+};
+
+/** Random pairs of a point and a seed: what Algorithm 1 looks at. */
+std::vector<Segment>
+drawSegments(Room& room)
+{
+  RandomGenerator generator(0);
+  const pcl::Indices& seeds = room.proposal().seeds;
+  std::vector<Segment> segments;
+  for (std::size_t i = 0; i < queries; ++i) {
+    const std::size_t point = drawBelow(generator, room.points().size());
+    const auto seed =
+        static_cast<std::size_t>(seeds[drawBelow(generator, seeds.size())]);
+    segments.push_back({point, room.points()[point], room.points()[seed]});
+  }
+  return segments;
+}
+
+/** Random samples of such segments: where distances are asked for. */
+Points
+drawSamples(Room& room)
+{
+  RandomGenerator generator(1);
+  Points positions;
+  for (const Segment& segment : drawSegments(room))
+    positions.push_back(segmentSample(segment.p,
+                                      segment.q,
+                                      static_cast<int>(drawBelow(generator, samples)),
+                                      samples));
+  return positions;
+}
+
+/** Time \a ask for one query after the other. */
+template <typename Query, typename Ask>
+void
+timeEach(benchmark::State& state, const std::vector<Query>& all, const Ask& ask)
+{
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ask(all[i]));
+    i = (i + 1) % all.size();
+  }
+}
+
+void
+fieldBuild(benchmark::State& state)
+{
+  const Points& points = roomOf(state).points();
+  for (auto _ : state)
+    DistanceField field(points);
+}
+
+void
+fieldDistance(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  timeEach(state, drawSamples(room), [&](const Eigen::Vector3f& x) {
+    return field.distance(x);
+  });
+}
+
+void
+fieldBounds(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  timeEach(state, drawSamples(room), [&](const Eigen::Vector3f& x) {
+    return field.bounds(x);
+  });
+}
+
+void
+pointCIDExact(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  timeEach(state, drawSegments(room), [&](const Segment& segment) {
+    return pointCID(field, segment.p, segment.q, samples);
+  });
+}
+
+/** A seed that competes with the one that the point has. */
+void
+pointCIDWithLimit(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  const std::vector<float>& cid = room.proposal().cid;
+  timeEach(state, drawSegments(room), [&](const Segment& segment) {
+    return pointCID(field, segment.p, segment.q, samples, cid[segment.point]);
+  });
+}
+
+void
+seedProposal(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  SeedProposalOptions options;
+  options.keep_cid = false;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(proposeSeeds(field, room.points(), 0, options));
+}
+
+void
+seedProposalWithCIDs(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        proposeSeeds(field, room.points(), 0, SeedProposalOptions()));
+}
+
+void
+groupMerging(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const DistanceField& field = room.field();
+  const SeedProposal& proposal = room.proposal();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(mergeGroups(field,
+                                         room.points(),
+                                         proposal.group,
+                                         proposal.seeds.size(),
+                                         GroupMergingOptions()));
+}
+
+/** The hulls of 30 parts. */
+void
+convexHulls(benchmark::State& state)
+{
+  Room& room = roomOf(state);
+  const std::vector<int> part_of_group = room.mergeTree().cutAtParts(30);
+  std::vector<int> part;
+  for (const pcl::index_t group : room.proposal().group)
+    part.push_back(part_of_group[static_cast<std::size_t>(group)]);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(makeConvexParts(
+        room.pointSet(), part, ConvexPartOptions(), ExecutionOptions()));
+}
+
+void
+queryRooms(benchmark::internal::Benchmark* kernel)
+{
+  kernel->ArgsProduct({{0, 1}, {20000, 200000}})->Unit(benchmark::kNanosecond);
+}
+
+void
+stepRooms(benchmark::internal::Benchmark* kernel)
+{
+  kernel->ArgsProduct({{0, 1}, {20000, 200000}})
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+}
+
+BENCHMARK(fieldBuild)->Apply(stepRooms);
+BENCHMARK(fieldDistance)->Apply(queryRooms);
+BENCHMARK(fieldBounds)->Apply(queryRooms);
+BENCHMARK(pointCIDExact)->Apply(queryRooms);
+BENCHMARK(pointCIDWithLimit)->Apply(queryRooms);
+BENCHMARK(seedProposal)->Apply(stepRooms);
+BENCHMARK(seedProposalWithCIDs)->Apply(stepRooms);
+BENCHMARK(groupMerging)->Apply(stepRooms);
+BENCHMARK(convexHulls)->Apply(stepRooms);
+
+} // namespace
+} // namespace pcl_cid::benchmarks
