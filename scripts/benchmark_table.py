@@ -7,7 +7,7 @@
 #
 # usage: benchmark_table.py FOLDER [--doc FILE]
 #   FOLDER has results.csv, machine.txt and kernels.json; table.md is written to it.
-#   FILE takes the same text between its two marks.
+#   FILE takes the same text, and the pictures from images/, between its two marks.
 
 import argparse
 import json
@@ -22,6 +22,18 @@ ROOMS = ("room_even", "room_sensor")
 LEAST_RATIO = {20_000: 500, 200_000: 4_000, 1_000_000: 15_000}
 MOST_MEMORY = {20_000: 50, 200_000: 120, 1_000_000: 400, 10_000_000: 2_000}
 OFFICE = Case("office1", 254_456, "segment")
+
+CURVES = """
+### Curves
+
+![Time against the number of points](images/benchmark_time_points.png)
+
+![Time against the number of seeds](images/benchmark_time_seeds.png)
+
+![Time against the number of threads](images/benchmark_time_threads.png)
+
+![Memory against the number of points](images/benchmark_memory_points.png)
+"""
 
 
 def number(value):
@@ -226,7 +238,7 @@ def main():
     text = report(arguments.folder)
     (arguments.folder / "table.md").write_text(text)
     if arguments.doc:
-        insert(text, arguments.doc)
+        insert(text + CURVES, arguments.doc)
 
 
 main()

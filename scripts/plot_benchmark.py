@@ -33,14 +33,14 @@ def curve(results, x, y, **fixed):
 
 
 def new_axes(title, x_label, y_label):
-    _, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    _, axes = plt.subplots(figsize=(8, 4.2), layout="constrained")
     axes.set(title=title, xlabel=x_label, ylabel=y_label, xscale="log", yscale="log")
     axes.grid(which="both", alpha=0.25)
     return axes
 
 
 def save(axes, path):
-    axes.legend(fontsize="small")
+    axes.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1, 1))
     axes.figure.savefig(path, dpi=100)
     plt.close(axes.figure)
 
