@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace pcl_cid {
@@ -107,29 +109,185 @@ orderOf(int samples)
   return order;
 }
 
-/** An upper bound of d at every sample, and what is known exactly. */
-struct SampleBounds {
-  std::vector<float> high;
-  /** `high` was concluded from its neighbours and never looked up. */
-  std::vector<std::uint8_t> concluded;
-  /** The largest exact distance so far. */
-  float largest = 0.0f;
-  /** Surface points nearest to the samples evaluated so far. */
-  Points feet;
-  /** Samples whose distance may be larger. */
-  std::vector<std::size_t> open;
+/** What a search keeps from call to call: there are millions of them. */
+struct Scratch {
+  std::vector<float> high;             ///< by sample: an upper bound of d
+  std::vector<std::uint8_t> concluded; ///< by sample: `high` was not looked up
+  std::vector<std::size_t> open;       ///< samples that may exceed the largest so far
+  Points feet;                         ///< surface points nearest to evaluated samples
+};
 
-  /** Whether a surface point that is known already is near enough to x: then d(x) is no
-   *  larger than what was found. Neighbouring samples often share their nearest point.
-   */
-  bool
-  isPassedOver(const Eigen::Vector3f& x, float slack) const
+Scratch&
+scratchOfThread()
+{
+  thread_local Scratch scratch;
+  return scratch;
+}
+
+/** The samples of one segment: an upper bound of d at each, exact values where needed.
+ */
+class SegmentSearch {
+public:
+  SegmentSearch(const DistanceField& field,
+                const Eigen::Vector3f& p,
+                const Eigen::Vector3f& q,
+                const SampleOrder& order)
+  : field_(field)
+  , p_(p)
+  , q_(q)
+  , order_(order)
+  , segment_(p, q, order.samples())
+  , scratch_(scratchOfThread())
   {
-    for (auto foot = feet.rbegin(); foot != feet.rend(); ++foot)
-      if ((x - *foot).norm() * 1.000002f + slack <= largest)
+    high_.resize(order.entries().size());
+    concluded_.assign(order.entries().size(), 0);
+    open_.clear();
+    feet_.clear();
+  }
+
+  /** One sample that is too far decides; an upper bound at each shows that there is
+   * none. \return a distance on the segment that is at least \a limit, if there is one
+   */
+  std::optional<float>
+  findAtLeast(float limit)
+  {
+    for (const SampleOrder::Entry& entry : order_.entries()) {
+      const std::size_t l = entry.sample;
+      if (conclude(entry, limit))
+        continue;
+      lookUp(l);
+      if (high_[l] < limit)
+        continue;
+      const float low = field_.grid().bounds(segment_.at(l)).low - segment_.slack;
+      if (low >= limit)
+        return low;
+      evaluate(l);
+      if (high_[l] >= limit)
+        return high_[l];
+    }
+    return std::nullopt;
+  }
+
+  /** The largest distance, once no sample reaches \a limit: about where the largest
+   * bound is; most other samples then fall short. */
+  float
+  maximum(float limit)
+  {
+    evaluate(mostPromising(limit));
+    keepThoseAboveLargest();
+    while (!open_.empty()) {
+      const std::size_t l = takeHighest();
+      if (high_[l] <= largest_)
+        break;
+      if (!isNearKnownFoot(l))
+        evaluate(l);
+    }
+    return largest_;
+  }
+
+private:
+  static constexpr std::size_t most_feet = 8; ///< recent ones; older ones are far away
+
+  struct Lower {
+    const std::vector<float>& high;
+
+    bool
+    operator()(std::size_t l, std::size_t m) const
+    {
+      return high[l] < high[m];
+    }
+  };
+
+  /** Whether the samples on both sides already keep this one below the limit. */
+  bool
+  conclude(const SampleOrder::Entry& entry, float limit)
+  {
+    if (entry.isEnd())
+      return false;
+    high_[entry.sample] = segment_.between(entry, high_);
+    concluded_[entry.sample] = high_[entry.sample] < limit;
+    return concluded_[entry.sample] != 0;
+  }
+
+  void
+  lookUp(std::size_t l)
+  {
+    high_[l] = field_.grid().high(segment_.at(l)) + segment_.slack;
+  }
+
+  void
+  evaluate(std::size_t l)
+  {
+    const DistanceField::Foot foot =
+        field_.foot(segmentSample(p_, q_, static_cast<int>(l), order_.samples()));
+    high_[l] = foot.distance;
+    largest_ = std::max(largest_, high_[l]);
+    feet_.push_back(foot.point);
+  }
+
+  /** The sample with the largest bound that was looked up; the middle without a limit,
+   *  when hardly any was. */
+  std::size_t
+  mostPromising(float limit) const
+  {
+    std::size_t top = high_.size() / 2;
+    if (limit < std::numeric_limits<float>::infinity())
+      for (std::size_t l = 0; l < high_.size(); ++l)
+        if (!concluded_[l] && high_[l] > high_[top])
+          top = l;
+    return top;
+  }
+
+  void
+  keepThoseAboveLargest()
+  {
+    for (const SampleOrder::Entry& entry : order_.entries()) {
+      const std::size_t l = entry.sample;
+      if (high_[l] > largest_ && concluded_[l]) {
+        high_[l] = std::min(high_[l], segment_.between(entry, high_));
+        if (high_[l] > largest_)
+          lookUp(l);
+      }
+      if (high_[l] > largest_)
+        open_.push_back(l);
+    }
+    std::make_heap(open_.begin(), open_.end(), Lower{high_});
+  }
+
+  std::size_t
+  takeHighest()
+  {
+    std::pop_heap(open_.begin(), open_.end(), Lower{high_});
+    const std::size_t l = open_.back();
+    open_.pop_back();
+    return l;
+  }
+
+  /** Whether a surface point that is known already is near enough: then d is no larger
+   *  than what was found. Neighbouring samples often share their nearest point. */
+  bool
+  isNearKnownFoot(std::size_t l) const
+  {
+    const Eigen::Vector3f x = segment_.at(l);
+    const std::size_t recent = std::min(feet_.size(), most_feet);
+    for (std::size_t k = 1; k <= recent; ++k)
+      if ((x - feet_[feet_.size() - k]).norm() * 1.000002f + segment_.slack <= largest_)
         return true;
     return false;
   }
+
+  const DistanceField& field_;
+  const Eigen::Vector3f& p_;
+  const Eigen::Vector3f& q_;
+  const SampleOrder& order_;
+  SegmentSamples segment_;
+  float largest_ = 0.0f; ///< of the exact distances so far
+
+  Scratch& scratch_;
+  std::vector<float>& high_ = scratch_.high;
+  std::vector<std::uint8_t>& concluded_ = scratch_.concluded;
+  std::vector<std::size_t>& open_ = scratch_.open;
+  Points& feet_ = scratch_.feet;
 };
 
 } // namespace
@@ -151,77 +309,10 @@ pointCID(const DistanceField& field,
          const SampleOrder& order,
          float limit)
 {
-  const DistanceGrid& grid = field.grid();
-  const SegmentSamples segment(p, q, order.samples());
-  thread_local SampleBounds bounds;
-  std::vector<float>& high = bounds.high;
-  high.resize(order.entries().size());
-  bounds.concluded.assign(order.entries().size(), 0);
-  bounds.largest = 0.0f;
-  bounds.feet.clear();
-  const auto evaluate = [&](std::size_t l) {
-    const DistanceField::Foot foot =
-        field.foot(segmentSample(p, q, static_cast<int>(l), order.samples()));
-    high[l] = foot.distance;
-    bounds.largest = std::max(bounds.largest, high[l]);
-    bounds.feet.push_back(foot.point);
-  };
-
-  // One sample that is too far decides; an upper bound of each shows that there is
-  // none.
-  for (const SampleOrder::Entry& entry : order.entries()) {
-    const std::size_t l = entry.sample;
-    if (!entry.isEnd()) {
-      high[l] = segment.between(entry, high);
-      bounds.concluded[l] = high[l] < limit;
-      if (bounds.concluded[l])
-        continue;
-    }
-    const Eigen::Vector3f x = segment.at(l);
-    high[l] = grid.high(x) + segment.slack;
-    if (high[l] < limit)
-      continue;
-    const float low = grid.bounds(x).low - segment.slack;
-    if (low >= limit)
-      return low;
-    evaluate(l);
-    if (high[l] >= limit)
-      return high[l];
-  }
-
-  // Eq. 2: the maximum is about where the largest bound is; most others then fall
-  // short.
-  std::size_t top = order.entries().size() / 2;
-  if (limit < std::numeric_limits<float>::infinity())
-    for (std::size_t l = 0; l < high.size(); ++l)
-      if (!bounds.concluded[l] && high[l] > high[top])
-        top = l;
-  evaluate(top);
-  bounds.open.clear();
-  for (const SampleOrder::Entry& entry : order.entries()) {
-    const std::size_t l = entry.sample;
-    if (high[l] > bounds.largest && bounds.concluded[l]) {
-      high[l] = std::min(high[l], segment.between(entry, high));
-      if (high[l] > bounds.largest)
-        high[l] = grid.high(segment.at(l)) + segment.slack;
-    }
-    if (high[l] > bounds.largest)
-      bounds.open.push_back(l);
-  }
-  while (!bounds.open.empty()) {
-    const auto next = std::max_element(
-        bounds.open.begin(), bounds.open.end(), [&](std::size_t a, std::size_t b) {
-          return high[a] < high[b];
-        });
-    const std::size_t l = *next;
-    if (high[l] <= bounds.largest)
-      break;
-    *next = bounds.open.back();
-    bounds.open.pop_back();
-    if (!bounds.isPassedOver(segment.at(l), segment.slack))
-      evaluate(l);
-  }
-  return bounds.largest;
+  SegmentSearch search(field, p, q, order); // Eq. 2
+  if (const std::optional<float> found = search.findAtLeast(limit))
+    return *found;
+  return search.maximum(limit);
 }
 
 float

@@ -28,11 +28,9 @@ treeOf(const Points& points, int threads = 2)
 }
 
 std::vector<NamedPoints>
-allClouds()
+smallAndLargeClouds()
 {
-  std::vector<NamedPoints> clouds = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    clouds.push_back(cloud);
+  std::vector<NamedPoints> clouds = allClouds();
   clouds.push_back({"large", twoBoxes(20011, 121)});
   return clouds;
 }
@@ -103,7 +101,7 @@ TEST_P(BlockTreeOfClouds, IsTheSameForEveryNumberOfThreads)
 
 INSTANTIATE_TEST_SUITE_P(Clouds,
                          BlockTreeOfClouds,
-                         testing::ValuesIn(allClouds()),
+                         testing::ValuesIn(smallAndLargeClouds()),
                          [](const auto& info) { return info.param.name; });
 
 } // namespace

@@ -147,15 +147,6 @@ TEST_P(ConcavityOfClouds, ScalesWithTheCloud)
               8.0f * pointCID(field_, p, q, 100));
 }
 
-std::vector<NamedPoints>
-allClouds()
-{
-  std::vector<NamedPoints> clouds = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    clouds.push_back(cloud);
-  return clouds;
-}
-
 INSTANTIATE_TEST_SUITE_P(Clouds,
                          ConcavityOfClouds,
                          testing::ValuesIn(allClouds()),

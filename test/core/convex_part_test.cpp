@@ -102,15 +102,6 @@ expectHullOf(const ConvexPart& part, const Points& points, double min_thickness)
   EXPECT_GE(part.area, 2.0 * part.volume / diagonalOf(hull));
 }
 
-std::vector<NamedPoints>
-allClouds()
-{
-  std::vector<NamedPoints> clouds = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    clouds.push_back(cloud);
-  return clouds;
-}
-
 class HullOfClouds : public testing::TestWithParam<NamedPoints> {};
 
 TEST_P(HullOfClouds, ContainsItsPointsAndIsConvexClosedAndThick)

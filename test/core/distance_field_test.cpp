@@ -46,10 +46,7 @@ probes(const Points& surface)
 
 TEST(DistanceField, EqualsBruteForceToTheBit)
 {
-  std::vector<NamedPoints> clouds = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    clouds.push_back(cloud);
-  for (const NamedPoints& cloud : clouds) {
+  for (const NamedPoints& cloud : allClouds()) {
     const DistanceField field(cloud.points);
     for (const Eigen::Vector3f& x : probes(cloud.points))
       ASSERT_EQ(field.distance(x), bruteForceDistance(cloud.points, x)) << cloud.name;

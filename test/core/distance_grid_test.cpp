@@ -63,9 +63,7 @@ clouds()
   Points repeated = randomCube(20, 133);
   for (int i = 0; i < 10; ++i)
     repeated.insert(repeated.end(), repeated.begin(), repeated.begin() + 20);
-  std::vector<NamedPoints> all = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    all.push_back(cloud);
+  std::vector<NamedPoints> all = allClouds();
   all.push_back({"large", twoBoxes(30000, 134)});
   all.push_back({"uneven", uneven});
   all.push_back({"outliers", outliers});

@@ -214,15 +214,6 @@ TEST_P(MergingOfClouds, TreeThatStopsEarlyIsTheBeginningOfTheWhole)
     expectBeginning({MergeCut::Rule::threshold, 0, step.height});
 }
 
-std::vector<NamedPoints>
-allClouds()
-{
-  std::vector<NamedPoints> clouds = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    clouds.push_back(cloud);
-  return clouds;
-}
-
 INSTANTIATE_TEST_SUITE_P(Clouds,
                          MergingOfClouds,
                          testing::ValuesIn(allClouds()),

@@ -108,15 +108,6 @@ TEST_P(TraversalOfClouds, CoverageStopsAsSoonAsItHolds)
   }
 }
 
-std::vector<NamedPoints>
-allClouds()
-{
-  std::vector<NamedPoints> clouds = randomClouds();
-  for (const NamedPoints& cloud : degenerateClouds())
-    clouds.push_back(cloud);
-  return clouds;
-}
-
 INSTANTIATE_TEST_SUITE_P(Clouds,
                          TraversalOfClouds,
                          testing::ValuesIn(allClouds()),

@@ -133,6 +133,15 @@ degenerateClouds()
           {"grid", grid}};
 }
 
+std::vector<NamedPoints>
+allClouds()
+{
+  std::vector<NamedPoints> clouds = randomClouds();
+  for (NamedPoints& cloud : degenerateClouds())
+    clouds.push_back(std::move(cloud));
+  return clouds;
+}
+
 Points
 crop(const pcl::PointCloud<pcl::PointXYZ>& scan, std::size_t count, std::size_t stride)
 {

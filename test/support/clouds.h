@@ -43,6 +43,10 @@ randomClouds();
 std::vector<NamedPoints>
 degenerateClouds();
 
+/** All of both. */
+std::vector<NamedPoints>
+allClouds();
+
 /** The \a count finite points of a scan that are nearest to one of them, every \a
  * stride-th: a crop with real noise and density. */
 Points
