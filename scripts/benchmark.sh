@@ -26,7 +26,7 @@ results=build/benchmark
 bin=build/release/bin
 # That of Debian, which has Debian's matplotlib.
 python=/usr/bin/python3
-literal_seconds=15
+literal_seconds=10
 if [ "$mode" = --quick ]; then
   literal_seconds=3
 fi
@@ -85,7 +85,7 @@ measure_small_rooms() {
   local rounds=$1 points
   for points in 20000 200000; do
     room "$rounds" "$points" segment:100:2 literal:100:2 sample:100:2 seeds:100:2 \
-      merge:100:2 extend:110:2 sample:110:2 segment:10:2 segment:30:2 segment:300:2 \
+      merge:100:2 cut:100:2 extend:110:2 sample:110:2 segment:10:2 segment:30:2 segment:300:2 \
       segment:1000:2 "${curve[@]}"
     room 1 "$points" check:100:2
   done
@@ -93,7 +93,7 @@ measure_small_rooms() {
 
 measure_large_rooms() {
   room 3 254456 segment:100:2
-  room 3 1000000 segment:100:2 literal:100:2 sample:100:2 extend:110:2 sample:110:2 \
+  room 2 1000000 segment:100:2 literal:100:2 sample:100:2 extend:110:2 sample:110:2 \
     segment:1000:2 "${curve[@]}"
   room 2 10000000 segment:100:2 literal:100:2
   room 1 1000000 check:100:2
@@ -122,7 +122,7 @@ mapfile -t curve < <(threads_of_curve | grep -v ':2$')
 if [ "$mode" = --quick ]; then
   measure_small_rooms 2
 else
-  measure_small_rooms 5
+  measure_small_rooms 3
   measure_large_rooms
   measure_real_scans
 fi

@@ -18,8 +18,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** Samples that a node of the tree, which is no block, is tried with. */
-constexpr std::size_t node_samples = 17;
+/** Levels of samples that a node of the tree, which is no block, is tried with. */
+constexpr std::size_t node_levels = 4;
 
 /** A seed is compared with this many subtrees side by side. */
 constexpr std::size_t most_subtrees = 1024;
@@ -41,8 +41,8 @@ BlockGroups::BlockGroups(const DistanceField& field,
 , order_(samples)
 , threads_(threadCount(execution.threads))
 , progress_(progress)
-, states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0})
-, blocks_(tree_.size())
+, states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0, 0})
+, rivals_(tree_.size())
 , upper_(2 * tree_.size(), infinity)
 , slot_of_point_(points.size())
 , barred_(states_.size(), 0)
@@ -61,13 +61,12 @@ BlockGroups::restore(const SeedProposal& proposal)
   const auto all = static_cast<std::int32_t>(seeds_.size());
   for (std::size_t i = 0; i < slot_of_point_.size(); ++i)
     states_[static_cast<std::size_t>(slot_of_point_[i])] = {
-        proposal.cid[i], proposal.cid[i], proposal.group[i], all};
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    blocks_[b].bounded = all;
+        proposal.cid[i], proposal.cid[i], proposal.group[i], all, all};
+  for (std::size_t b = 0; b < tree_.size(); ++b) {
     float& upper = upper_[tree_.nodeOfBlock(b)];
     upper = 0.0f;
     for (int row = 0; row < tree_.block(b).count; ++row)
-      upper = std::max(upper, states_[slotOf(b, row)].high);
+      upper = std::max(upper, states_[slotOf(b, row)].cid);
   }
   for (std::size_t node = tree_.size() - 1; node > 0; --node)
     upper_[node] = std::max(upper_[2 * node], upper_[2 * node + 1]);
@@ -92,7 +91,7 @@ BlockGroups::addSeed(pcl::index_t seed, ProgressSpan span)
   parallelFor(
       subtrees, 1, threads_, progress_, span, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-          compareBelow(subtrees + k, s, order_.entries().size() / 2);
+          compareBelow(subtrees + k, s, order_.last() / 2);
       });
   for (std::size_t node = subtrees - 1; node > 0; --node)
     upper_[node] = std::max(upper_[2 * node], upper_[2 * node + 1]);
@@ -124,10 +123,10 @@ BlockGroups::compareNode(std::size_t node,
   };
   if (loses(hint))
     return true;
-  const auto& entries = order_.entries();
-  for (std::size_t k = 2; k < std::min(entries.size(), node_samples); ++k)
-    if (loses(entries[k].sample))
-      return true;
+  for (std::size_t k = 0; k < std::min(order_.levels().size(), node_levels); ++k)
+    for (const SampleOrder::Entry& entry : order_.levels()[k])
+      if (loses(entry.sample))
+        return true;
   hint = largest_at;
   return false;
 }
@@ -158,31 +157,31 @@ BlockGroups::compareBlock(std::size_t node,
   const float radius = tree_.box(node).radius();
   const SegmentSamples segment(seed, centre, order_.samples());
   thread_local std::vector<float> high;
-  high.resize(order_.entries().size());
-  Rival rival{static_cast<std::int32_t>(seeds_.size()) - 1, 0.0f, 0.0f};
+  high.resize(order_.last() + 1);
+  Rival rival{static_cast<std::int32_t>(seeds_.size()) - 1, 0.0f, 0.0f, hint};
   const auto loses = [&](std::size_t l) {
     const float reach = segment.fraction(l) * radius + segment.slack;
     const DistanceBounds d = grid_.bounds(segment.at(l));
     high[l] = d.high + segment.slack;
-    rival.low = std::max(rival.low, d.low - reach);
+    if (d.low - reach > rival.low) {
+      rival.low = d.low - reach;
+      rival.hint = l;
+    }
     rival.high = std::max(rival.high, d.high + reach);
     return rival.low >= worst;
   };
-  if (loses(hint))
+  if (loses(hint) || loses(0) || loses(order_.last()))
     return;
-  for (const SampleOrder::Entry& entry : order_.entries()) {
-    const std::size_t l = entry.sample;
-    if (!entry.isEnd()) {
+  for (const SampleOrder::Level& level : order_.levels())
+    for (const SampleOrder::Entry& entry : level) {
+      const std::size_t l = entry.sample;
       high[l] = segment.between(entry, high);
-      if (high[l] + segment.fraction(l) * radius <= rival.high)
-        continue;
+      if (high[l] + segment.fraction(l) * radius > rival.high && loses(l))
+        return;
     }
-    if (loses(l))
-      return;
-  }
 
   upper_[node] = std::min(worst, rival.high);
-  std::vector<Rival>& rivals = blocks_[node - tree_.size()].rivals;
+  std::vector<Rival>& rivals = rivals_[node - tree_.size()];
   const auto beaten = [limit = upper_[node]](const Rival& r) { return r.low > limit; };
   rivals.erase(std::remove_if(rivals.begin(), rivals.end(), beaten), rivals.end());
   rivals.push_back(rival);
@@ -200,144 +199,116 @@ BlockGroups::updateAbove(std::size_t node)
   }
 }
 
-/** An upper bound of the CID of a pair; \a limit or more when it is of no use. */
-float
-BlockGroups::boundPair(const Eigen::Vector3f& point,
-                       const Eigen::Vector3f& seed,
-                       float limit) const
+/** The seeds that a point may belong to: the best of those that it was compared with,
+ *  and the rivals since. */
+std::vector<BlockGroups::Contender>&
+BlockGroups::contenders(std::size_t b, const State& state)
 {
-  const SegmentSamples segment(seed, point, order_.samples());
-  thread_local std::vector<float> high;
-  high.resize(order_.entries().size());
-  float largest = 0.0f;
-  for (const SampleOrder::Entry& entry : order_.entries()) {
-    const std::size_t l = entry.sample;
-    if (!entry.isEnd()) {
-      high[l] = segment.between(entry, high);
-      if (high[l] <= largest)
-        continue;
-    }
-    high[l] = grid_.high(segment.at(l)) + segment.slack;
-    largest = std::max(largest, high[l]);
-    if (largest >= limit)
+  thread_local std::vector<Contender> contenders;
+  contenders.clear();
+  float high = state.high;
+  for (const Rival& rival : rivals_[b])
+    high = std::min(high, rival.high);
+  if (state.group >= 0 && state.cid <= high)
+    contenders.push_back({state.group, state.cid, true, nullptr});
+  for (Rival& rival : rivals_[b])
+    if (rival.number >= state.decided && rival.low <= high)
+      contenders.push_back({rival.number, rival.low, false, &rival});
+  return contenders;
+}
+
+/** Whether some seed brings D_min of a point below a floor; its upper bound then takes
+ *  all seeds into account. */
+bool
+BlockGroups::fallsShort(const Eigen::Vector3f& point,
+                        float floor,
+                        std::vector<Contender>& open,
+                        State& state)
+{
+  std::sort(open.begin(), open.end());
+  float high = floor;
+  for (const Contender& contender : open) {
+    if (contender.low >= high)
       break;
+    if (contender.exact)
+      high = contender.low;
+    else if (contender.number >= state.bounded)
+      high = std::min(high,
+                      boundPointCID(field_,
+                                    segmentTo(contender, point),
+                                    order_,
+                                    high,
+                                    contender.rival->hint));
   }
-  return largest;
+  state.bounded = static_cast<std::int32_t>(seeds_.size());
+  state.high = std::min(state.high, high);
+  return high < floor;
 }
 
-/** Bring every point's upper bound up to the last seed. */
+/** Compare a point with all seeds that it was not compared with, best first: whoever
+ *  has the smallest lower bound is looked at until it is beaten by the next one or is
+ *  known to have the smallest CID. */
 void
-BlockGroups::boundPoints(std::size_t b)
+BlockGroups::decide(const Eigen::Vector3f& point,
+                    bool keep_cid,
+                    std::vector<Contender>& open,
+                    State& state)
 {
-  BlockState& block = blocks_[b];
-  const auto all = static_cast<std::int32_t>(seeds_.size());
-  if (block.bounded == all)
-    return;
-  std::vector<Rival> rivals;
-  for (const Rival& rival : block.rivals)
-    if (rival.number >= block.bounded)
-      rivals.push_back(rival);
-  std::sort(rivals.begin(), rivals.end(), [](const Rival& r, const Rival& s) {
-    return r.high < s.high || (r.high == s.high && r.number < s.number);
-  });
-  for (int row = 0; row < tree_.block(b).count; ++row) {
-    State& state = states_[slotOf(b, row)];
-    for (const Rival& rival : rivals)
-      if (rival.low < state.high)
-        state.high = std::min(state.high,
-                              boundPair(tree_.block(b).point(row),
-                                        seeds_[static_cast<std::size_t>(rival.number)],
-                                        state.high));
-  }
-  block.bounded = all;
-}
-
-/** The seeds that a point was not compared with and may belong to, the best first. */
-const std::vector<BlockGroups::Rival>&
-BlockGroups::rivalsOf(std::size_t b, const State& state) const
-{
-  thread_local std::vector<Rival> rivals;
-  rivals.clear();
-  for (const Rival& rival : blocks_[b].rivals)
-    if (rival.number >= state.decided && rival.low <= state.cid)
-      rivals.push_back(rival);
-  std::sort(rivals.begin(), rivals.end(), [](const Rival& r, const Rival& s) {
-    return r.high < s.high || (r.high == s.high && r.number < s.number);
-  });
-  return rivals;
-}
-
-/** Compare a point with all seeds that it was not compared with. */
-void
-BlockGroups::decide(std::size_t b, int row)
-{
-  State& state = states_[slotOf(b, row)];
-  const auto all = static_cast<std::int32_t>(seeds_.size());
-  if (state.decided == all)
-    return;
-  const Eigen::Vector3f p = tree_.block(b).point(row);
-  for (const Rival& rival : rivalsOf(b, state)) {
-    if (rival.low > state.cid)
-      continue;
-    // The smaller CID wins; at equal CID the earlier seed.
-    const bool earlier = rival.number < state.group;
-    const float limit = earlier ? std::nextafter(state.cid, infinity) : state.cid;
-    const float cid = pointCID(
-        field_, p, seeds_[static_cast<std::size_t>(rival.number)], order_, limit);
-    if (cid < limit) {
-      state.cid = cid;
-      state.group = rival.number;
+  for (Contender& contender : open)
+    if (!contender.exact)
+      contender.low = std::max(contender.low, boundAtHint(contender, point));
+  for (;;) {
+    std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
+    const auto first = open.begin();
+    const auto second = std::min_element(open.begin() + 1, open.end());
+    float limit = infinity; // from here on the second one is the better
+    if (second != open.end())
+      limit = first->number < second->number ? std::nextafter(second->low, infinity)
+                                             : second->low;
+    if (!first->exact) {
+      const float cid = compare(*first, point, limit, keep_cid);
+      first->exact = cid < limit;
+      first->low = std::max(first->low, cid);
+    }
+    if (first->exact) {
+      state.group = first->number;
+      state.cid = state.high = first->low;
+      state.decided = static_cast<std::int32_t>(seeds_.size());
+      return;
     }
   }
-  state.decided = all;
-  state.high = state.cid;
 }
 
-/** What decide() would make the group of a point, without the CID of a winner whose
- *  upper bound is enough to beat all others. */
-std::int32_t
-BlockGroups::groupOf(std::size_t b, int row) const
+Segment
+BlockGroups::segmentTo(const Contender& contender, const Eigen::Vector3f& point) const
 {
-  const State& state = states_[slotOf(b, row)];
-  const Eigen::Vector3f p = tree_.block(b).point(row);
-  const auto seed = [this](std::int32_t number) {
-    return seeds_[static_cast<std::size_t>(number)];
-  };
-  std::int32_t group = state.group;
-  float high = state.cid; // at least the CID to that seed
-  bool exact = true;      // and whether it is that CID
-  bool bounded = true;    // or, at least, a bound for this very point
-  for (const Rival& rival : rivalsOf(b, state)) {
-    if (group < 0) {
-      group = rival.number;
-      high = rival.high;
-      exact = bounded = false;
-      continue;
-    }
-    if (rival.low > high)
-      continue;
-    if (!bounded) { // the bound of the whole block is coarse
-      high = std::min(high, boundPair(p, seed(group), high));
-      bounded = true;
-      if (rival.low > high)
-        continue;
-    }
-    const float limit = rival.number < group ? std::nextafter(high, infinity) : high;
-    const float cid = pointCID(field_, p, seed(rival.number), order_, limit);
-    if (cid >= limit)
-      continue;
-    // The bound did not tell: compare the CIDs themselves.
-    const float least = rival.number < group ? cid : std::nextafter(cid, infinity);
-    const float other = exact ? high : pointCID(field_, p, seed(group), order_, least);
-    if (other >= least) {
-      group = rival.number;
-      high = cid;
-    }
-    else
-      high = other;
-    exact = true;
-  }
-  return group;
+  return {seeds_[static_cast<std::size_t>(contender.number)], point, !own_tree_};
+}
+
+/** A lower bound of the CID to a contender, from one look. */
+float
+BlockGroups::boundAtHint(const Contender& contender, const Eigen::Vector3f& point) const
+{
+  const SegmentSamples samples(
+      seeds_[static_cast<std::size_t>(contender.number)], point, order_.samples());
+  return grid_.bounds(samples.at(contender.rival->hint)).low - samples.slack;
+}
+
+/** The CID to a contender, or a lower bound of it that is at least \a limit; without \a
+ *  keep_cid, 0 for a CID below the limit. */
+float
+BlockGroups::compare(const Contender& contender,
+                     const Eigen::Vector3f& point,
+                     float limit,
+                     bool keep_cid) const
+{
+  const Segment segment = segmentTo(contender, point);
+  std::size_t& hint = contender.rival->hint;
+  if (keep_cid)
+    return pointCID(field_, segment, order_, limit, hint);
+  if (limit == infinity)
+    return 0.0f;
+  return findCIDAtLeast(field_, segment, order_, limit, hint).value_or(0.0f);
 }
 
 /** A point cannot come nearer to any seed than CID_p(p, p) = d(p; S), which is 0 for
@@ -352,7 +323,6 @@ BlockGroups::gains(std::size_t b, int row) const
 BlockGroups::Farthest
 BlockGroups::settle(std::size_t b, float floor, Among among)
 {
-  boundPoints(b);
   const PointBlock& block = tree_.block(b);
   float& upper = upper_[tree_.nodeOfBlock(b)];
   for (;;) {
@@ -373,8 +343,12 @@ BlockGroups::settle(std::size_t b, float floor, Among among)
     upper = std::min(upper, overall);
     if (best < 0 || largest < floor)
       return {};
-    if (states_[slotOf(b, best)].decided < static_cast<std::int32_t>(seeds_.size()))
-      decide(b, best);
+    State& state = states_[slotOf(b, best)];
+    if (state.decided < static_cast<std::int32_t>(seeds_.size())) {
+      std::vector<Contender>& open = contenders(b, state);
+      if (!fallsShort(block.point(best), floor, open, state))
+        decide(block.point(best), true, open, state);
+    }
     else if (among == Among::seeds && !gains(b, best))
       barred_[slotOf(b, best)] = 1;
     else
@@ -463,17 +437,17 @@ BlockGroups::finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal)
 {
   proposal.group.resize(slot_of_point_.size());
   proposal.cid.resize(keep_cid ? slot_of_point_.size() : 0);
-  parallelFor(blocks_.size(), 8, threads_, progress_, span, [&](auto begin, auto end) {
+  parallelFor(tree_.size(), 8, threads_, progress_, span, [&](auto begin, auto end) {
     for (std::size_t b = begin; b < end; ++b)
       for (int row = 0; row < tree_.block(b).count; ++row) {
-        const auto i = static_cast<std::size_t>(tree_.block(b).index[row]);
-        if (!keep_cid) {
-          proposal.group[i] = groupOf(b, row);
-          continue;
-        }
-        decide(b, row);
-        proposal.group[i] = states_[slotOf(b, row)].group;
-        proposal.cid[i] = states_[slotOf(b, row)].cid;
+        const PointBlock& block = tree_.block(b);
+        State& state = states_[slotOf(b, row)];
+        if (state.decided < static_cast<std::int32_t>(seeds_.size()))
+          decide(block.point(row), keep_cid, contenders(b, state), state);
+        const auto i = static_cast<std::size_t>(block.index[row]);
+        proposal.group[i] = state.group;
+        if (keep_cid)
+          proposal.cid[i] = state.cid;
       }
   });
 }

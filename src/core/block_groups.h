@@ -82,20 +82,31 @@ private:
     std::int32_t number; ///< of the seed
     float low;           ///< no point of the block has a smaller CID to it
     float high;          ///< nor a larger one
+    std::size_t hint;    ///< the sample of the segments that is farthest, about
   };
 
   /** What is known of a point. */
   struct State {
-    float cid;          ///< D_min over the first `decided` seeds
-    float high;         ///< at least D_min over all seeds
-    std::int32_t group; ///< argmin over the first `decided` seeds
-    std::int32_t decided;
+    float high;           ///< at least D_min over all seeds
+    float cid;            ///< D_min over the first `decided` seeds
+    std::int32_t group;   ///< argmin over them
+    std::int32_t decided; ///< number of seeds that it was compared with
+    std::int32_t bounded; ///< number of seeds that `high` takes into account
   };
 
-  /** What is known of a block. */
-  struct BlockState {
-    std::vector<Rival> rivals;
-    std::int32_t bounded = 0; ///< the first so many seeds are in every point's `high`
+  /** A seed that a point may belong to. */
+  struct Contender {
+    std::int32_t number; ///< of the seed
+    float low;           ///< at most the CID of the two
+    bool exact;          ///< it is the CID
+    Rival* rival;        ///< null for the seed that the point belonged to so far
+
+    /** The smaller CID wins; at equal CID the earlier seed. */
+    bool
+    operator<(const Contender& other) const
+    {
+      return low < other.low || (low == other.low && number < other.number);
+    }
   };
 
   /** Whom an argmax asks for. */
@@ -119,22 +130,32 @@ private:
   void
   updateAbove(std::size_t node);
 
-  void
-  boundPoints(std::size_t block);
+  std::vector<Contender>&
+  contenders(std::size_t block, const State& state);
+
+  bool
+  fallsShort(const Eigen::Vector3f& point,
+             float floor,
+             std::vector<Contender>& open,
+             State& state);
+
+  Segment
+  segmentTo(const Contender& contender, const Eigen::Vector3f& point) const;
 
   float
-  boundPair(const Eigen::Vector3f& point,
-            const Eigen::Vector3f& seed,
-            float limit) const;
+  boundAtHint(const Contender& contender, const Eigen::Vector3f& point) const;
 
-  const std::vector<Rival>&
-  rivalsOf(std::size_t block, const State& state) const;
+  float
+  compare(const Contender& contender,
+          const Eigen::Vector3f& point,
+          float limit,
+          bool keep_cid) const;
 
   void
-  decide(std::size_t block, int row);
-
-  std::int32_t
-  groupOf(std::size_t block, int row) const;
+  decide(const Eigen::Vector3f& point,
+         bool keep_cid,
+         std::vector<Contender>& open,
+         State& state);
 
   bool
   gains(std::size_t block, int row) const;
@@ -156,8 +177,8 @@ private:
   int threads_;
   Progress& progress_;
   Points seeds_;
-  std::vector<State> states_; ///< by slot
-  std::vector<BlockState> blocks_;
+  std::vector<State> states_;              ///< by slot
+  std::vector<std::vector<Rival>> rivals_; ///< by block
   std::vector<float> upper_; ///< by node: at least D_min of each of its points
   std::vector<std::int32_t> slot_of_point_;
   std::vector<std::uint8_t> barred_; ///< by slot: cannot become a seed

@@ -158,7 +158,13 @@ public:
         descend(near ^ 1, x, nearest);
       return;
     }
-    const std::size_t number = node - size();
+    scan(node - size(), x, nearest);
+  }
+
+  /** \brief Improve on the nearest point found so far with the points of a block. */
+  void
+  scan(std::size_t number, const Eigen::Vector3f& x, Nearest& nearest) const
+  {
     const auto squared = block(number).squaredDistances(x);
     if (squared.minCoeff() >= nearest.squared_distance)
       return;

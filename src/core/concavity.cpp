@@ -16,11 +16,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace pcl_cid {
 namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** A stretch of the segment between two samples whose distances are known. */
 struct Stretch {
@@ -113,8 +114,7 @@ orderOf(int samples)
 struct Scratch {
   std::vector<float> high;             ///< by sample: an upper bound of d
   std::vector<std::uint8_t> concluded; ///< by sample: `high` was not looked up
-  std::vector<std::size_t> open;       ///< samples that may exceed the largest so far
-  Points feet;                         ///< surface points nearest to evaluated samples
+  std::vector<std::size_t> samples;    ///< that are at work
 };
 
 Scratch&
@@ -129,65 +129,76 @@ scratchOfThread()
 class SegmentSearch {
 public:
   SegmentSearch(const DistanceField& field,
-                const Eigen::Vector3f& p,
-                const Eigen::Vector3f& q,
+                const Segment& segment,
                 const SampleOrder& order)
   : field_(field)
-  , p_(p)
-  , q_(q)
+  , segment_(segment)
   , order_(order)
-  , segment_(p, q, order.samples())
+  , samples_(segment.p, segment.q, order.samples())
   , scratch_(scratchOfThread())
   {
-    high_.resize(order.entries().size());
-    concluded_.assign(order.entries().size(), 0);
-    open_.clear();
-    feet_.clear();
+    high_.assign(order.last() + 1, infinity);
+    concluded_.assign(order.last() + 1, 1);
+    boundEnds();
   }
 
-  /** One sample that is too far decides; an upper bound at each shows that there is
-   * none. \return a distance on the segment that is at least \a limit, if there is one
-   */
+  /** One sample that is far enough decides; an upper bound below the limit at each
+   *  shows that there is none. */
   std::optional<float>
-  findAtLeast(float limit)
+  findAtLeast(float limit, std::size_t& hint)
   {
-    for (const SampleOrder::Entry& entry : order_.entries()) {
-      const std::size_t l = entry.sample;
-      if (conclude(entry, limit))
-        continue;
-      lookUp(l);
-      if (high_[l] < limit)
-        continue;
-      const float low = field_.grid().bounds(segment_.at(l)).low - segment_.slack;
-      if (low >= limit)
-        return low;
-      evaluate(l);
-      if (high_[l] >= limit)
-        return high_[l];
+    lookUp(hint);
+    for (const std::size_t l : {hint, std::size_t{0}, order_.last()})
+      if (reaches(l, limit))
+        return reached_;
+    for (const SampleOrder::Level& level : order_.levels()) {
+      boundLevel(level, [limit](float high) { return high >= limit; });
+      for (const std::size_t l : at_work_)
+        if (reaches(l, limit)) {
+          hint = l;
+          return reached_;
+        }
     }
     return std::nullopt;
   }
 
-  /** The largest distance, once no sample reaches \a limit: about where the largest
-   * bound is; most other samples then fall short. */
+  /** The largest upper bound; \a limit or more when one is that large. */
   float
-  maximum(float limit)
+  bound(float limit, std::size_t& hint)
   {
-    evaluate(mostPromising(limit));
-    keepThoseAboveLargest();
-    while (!open_.empty()) {
-      const std::size_t l = takeHighest();
-      if (high_[l] <= largest_)
+    lookUp(hint);
+    float largest = std::max({high_[hint], high_.front(), high_.back()});
+    for (const SampleOrder::Level& level : order_.levels()) {
+      if (largest >= limit)
         break;
-      if (!isNearKnownFoot(l))
-        evaluate(l);
+      boundLevel(level, [largest](float high) { return high > largest; });
+      for (const std::size_t l : at_work_)
+        if (high_[l] > largest) {
+          largest = high_[l];
+          hint = l;
+        }
+    }
+    return largest;
+  }
+
+  /** The largest distance: first where the largest bound is, as far as samples were
+   *  looked up, or at the hint; most other samples then fall short. */
+  float
+  maximum(std::size_t& hint)
+  {
+    hint = mostPromising(hint);
+    evaluate(hint);
+    keepThoseAbove(largest_);
+    while (!at_work_.empty() && high_[at_work_.front()] > largest_) {
+      const std::size_t l = takeHighest();
+      evaluate(l);
+      if (high_[l] == largest_)
+        hint = l;
     }
     return largest_;
   }
 
 private:
-  static constexpr std::size_t most_feet = 8; ///< recent ones; older ones are far away
-
   struct Lower {
     const std::vector<float>& high;
 
@@ -198,96 +209,115 @@ private:
     }
   };
 
-  /** Whether the samples on both sides already keep this one below the limit. */
-  bool
-  conclude(const SampleOrder::Entry& entry, float limit)
+  void
+  boundEnds()
   {
-    if (entry.isEnd())
-      return false;
-    high_[entry.sample] = segment_.between(entry, high_);
-    concluded_[entry.sample] = high_[entry.sample] < limit;
-    return concluded_[entry.sample] != 0;
+    if (segment_.between_surface_points)
+      high_.front() = high_.back() = 0.0f;
+    else {
+      lookUp(0);
+      lookUp(order_.last());
+    }
+  }
+
+  /** Bound the samples of a level by those around them, which are of earlier levels,
+   *  then look up, side by side, those where that is not enough. */
+  template <typename Predicate>
+  void
+  boundLevel(const SampleOrder::Level& level, const Predicate& is_worth_a_look)
+  {
+    at_work_.clear();
+    for (const SampleOrder::Entry& entry : level) {
+      high_[entry.sample] = samples_.between(entry, high_);
+      if (is_worth_a_look(high_[entry.sample]))
+        at_work_.push_back(entry.sample);
+    }
+    for (const std::size_t l : at_work_)
+      lookUp(l);
   }
 
   void
   lookUp(std::size_t l)
   {
-    high_[l] = field_.grid().high(segment_.at(l)) + segment_.slack;
+    high_[l] = field_.grid().high(samples_.at(l)) + samples_.slack;
+    concluded_[l] = 0;
+  }
+
+  /** Whether d at a sample is at least the limit; `reached_` is then between the two.
+   */
+  bool
+  reaches(std::size_t l, float limit)
+  {
+    if (high_[l] < limit)
+      return false;
+    reached_ = field_.grid().bounds(samples_.at(l)).low - samples_.slack;
+    if (reached_ >= limit)
+      return true;
+    evaluate(l);
+    reached_ = high_[l];
+    return reached_ >= limit;
   }
 
   void
   evaluate(std::size_t l)
   {
-    const DistanceField::Foot foot =
-        field_.foot(segmentSample(p_, q_, static_cast<int>(l), order_.samples()));
-    high_[l] = foot.distance;
+    high_[l] = field_.distance(
+        segmentSample(segment_.p, segment_.q, static_cast<int>(l), order_.samples()));
     largest_ = std::max(largest_, high_[l]);
-    feet_.push_back(foot.point);
   }
 
-  /** The sample with the largest bound that was looked up; the middle without a limit,
-   *  when hardly any was. */
+  /** The sample with the largest bound that was looked up. */
   std::size_t
-  mostPromising(float limit) const
+  mostPromising(std::size_t top) const
   {
-    std::size_t top = high_.size() / 2;
-    if (limit < std::numeric_limits<float>::infinity())
-      for (std::size_t l = 0; l < high_.size(); ++l)
-        if (!concluded_[l] && high_[l] > high_[top])
-          top = l;
+    for (std::size_t l = 0; l < high_.size(); ++l)
+      if (!concluded_[l] && high_[l] > high_[top])
+        top = l;
     return top;
   }
 
   void
-  keepThoseAboveLargest()
+  keepThoseAbove(float distance)
   {
-    for (const SampleOrder::Entry& entry : order_.entries()) {
-      const std::size_t l = entry.sample;
-      if (high_[l] > largest_ && concluded_[l]) {
-        high_[l] = std::min(high_[l], segment_.between(entry, high_));
-        if (high_[l] > largest_)
-          lookUp(l);
+    at_work_.clear();
+    const auto keep = [&](std::size_t l) {
+      if (high_[l] > distance)
+        at_work_.push_back(l);
+    };
+    keep(0);
+    keep(order_.last());
+    for (const SampleOrder::Level& level : order_.levels())
+      for (const SampleOrder::Entry& entry : level) {
+        const std::size_t l = entry.sample;
+        if (high_[l] > distance && concluded_[l]) {
+          high_[l] = std::min(high_[l], samples_.between(entry, high_));
+          if (high_[l] > distance)
+            lookUp(l);
+        }
+        keep(l);
       }
-      if (high_[l] > largest_)
-        open_.push_back(l);
-    }
-    std::make_heap(open_.begin(), open_.end(), Lower{high_});
+    std::make_heap(at_work_.begin(), at_work_.end(), Lower{high_});
   }
 
   std::size_t
   takeHighest()
   {
-    std::pop_heap(open_.begin(), open_.end(), Lower{high_});
-    const std::size_t l = open_.back();
-    open_.pop_back();
+    std::pop_heap(at_work_.begin(), at_work_.end(), Lower{high_});
+    const std::size_t l = at_work_.back();
+    at_work_.pop_back();
     return l;
   }
 
-  /** Whether a surface point that is known already is near enough: then d is no larger
-   *  than what was found. Neighbouring samples often share their nearest point. */
-  bool
-  isNearKnownFoot(std::size_t l) const
-  {
-    const Eigen::Vector3f x = segment_.at(l);
-    const std::size_t recent = std::min(feet_.size(), most_feet);
-    for (std::size_t k = 1; k <= recent; ++k)
-      if ((x - feet_[feet_.size() - k]).norm() * 1.000002f + segment_.slack <= largest_)
-        return true;
-    return false;
-  }
-
   const DistanceField& field_;
-  const Eigen::Vector3f& p_;
-  const Eigen::Vector3f& q_;
+  const Segment& segment_;
   const SampleOrder& order_;
-  SegmentSamples segment_;
+  SegmentSamples samples_;
   float largest_ = 0.0f; ///< of the exact distances so far
-
+  float reached_ = 0.0f;
   Scratch& scratch_;
   std::vector<float>& high_ = scratch_.high;
   std::vector<std::uint8_t>& concluded_ = scratch_.concluded;
-  std::vector<std::size_t>& open_ = scratch_.open;
-  Points& feet_ = scratch_.feet;
+  std::vector<std::size_t>& at_work_ = scratch_.samples;
 };
 
 } // namespace
@@ -299,20 +329,42 @@ pointCID(const DistanceField& field,
          int samples,
          float limit)
 {
-  return pointCID(field, p, q, orderOf(samples), limit);
+  std::size_t middle = static_cast<std::size_t>(samples) / 2;
+  return pointCID(field, {p, q, false}, orderOf(samples), limit, middle);
+}
+
+std::optional<float>
+findCIDAtLeast(const DistanceField& field,
+               const Segment& segment,
+               const SampleOrder& order,
+               float limit,
+               std::size_t& hint)
+{
+  return SegmentSearch(field, segment, order).findAtLeast(limit, hint);
+}
+
+float
+boundPointCID(const DistanceField& field,
+              const Segment& segment,
+              const SampleOrder& order,
+              float limit,
+              std::size_t& hint)
+{
+  return SegmentSearch(field, segment, order).bound(limit, hint);
 }
 
 float
 pointCID(const DistanceField& field,
-         const Eigen::Vector3f& p,
-         const Eigen::Vector3f& q,
+         const Segment& segment,
          const SampleOrder& order,
-         float limit)
+         float limit,
+         std::size_t& hint)
 {
-  SegmentSearch search(field, p, q, order); // Eq. 2
-  if (const std::optional<float> found = search.findAtLeast(limit))
-    return *found;
-  return search.maximum(limit);
+  SegmentSearch search(field, segment, order); // Eq. 2
+  if (limit < infinity)
+    if (const std::optional<float> found = search.findAtLeast(limit, hint))
+      return *found;
+  return search.maximum(hint);
 }
 
 float
@@ -343,10 +395,12 @@ groupCID(const DistanceField& field,
 {
   if (first.empty() || second.empty())
     throw CIDException("the CID of two groups needs at least 1 point in each of them");
+  const SampleOrder& order = orderOf(samples);
+  std::size_t hint = order.last() / 2;
   double sum = 0.0; // Eq. 3
   for (const Eigen::Vector3f& p : first)
     for (const Eigen::Vector3f& q : second)
-      sum += pointCID(field, p, q, samples);
+      sum += pointCID(field, {p, q, false}, order, infinity, hint);
   return sum / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
 }
 

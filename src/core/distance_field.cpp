@@ -95,23 +95,18 @@ DistanceField::search() const
 float
 DistanceField::distance(const Eigen::Vector3f& x) const
 {
-  return foot(x).distance;
-}
-
-DistanceField::Foot
-DistanceField::foot(const Eigen::Vector3f& x) const
-{
-  BlockTree::Nearest found = grid_->nearest(x);
-  if (found.slot < 0 && has_own_search_) {
-    const Eigen::Vector3f p =
-        (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))]
-            .getVector3fMap();
-    const Eigen::Vector3f d = x - p;
-    return {std::sqrt((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z()), p};
+  const float listed = grid_->distance(x);
+  if (listed >= 0.0f)
+    return listed;
+  if (has_own_search_) {
+    const Eigen::Vector3f d =
+        x - (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))]
+                .getVector3fMap();
+    return std::sqrt((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z());
   }
-  if (found.slot < 0)
-    tree_->descend(1, x, found);
-  return {std::sqrt(found.squared_distance), tree_->position(found.slot)};
+  BlockTree::Nearest found;
+  tree_->descend(1, x, found);
+  return std::sqrt(found.squared_distance);
 }
 
 DistanceBounds

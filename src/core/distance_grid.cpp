@@ -15,68 +15,114 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace pcl_cid {
 namespace {
 
-/** A cell that lists no more nodes than this is not divided further. */
-constexpr std::size_t few_nodes = 12;
+/** A cell with no more nodes than this lists them, for all parts that it may have;
+ *  larger ones share the list of the cell that they are part of. */
+constexpr std::size_t few_nodes = 8;
 /** Longest list that is kept for exact answers. */
 constexpr std::size_t most_nodes = 128;
+/** Bounds may be off by this share of the radius of a block, which is a few times the
+ *  spacing of its points. */
+constexpr float error_to_radius = 0.5f;
+/** A cell that is farther from the surface than this many of its half diagonals is
+ *  small enough whatever its error. */
+constexpr float far_away = 4.0f;
 /** Cells of the even grid for each point, about. */
-constexpr double cells_per_point = 0.5;
-/** The even grid is grown in 8^this pieces, each by one thread. */
-constexpr int piece_bits = 3;
+constexpr double cells_per_point = 1.0;
+/** Finest division of the even grid into pieces: 2^this a side. */
+constexpr int most_piece_bits = 2;
 
 } // namespace
 
 /** A cell in the making. */
 struct DistanceGrid::Region {
-  int x, y, z; ///< its corner, in finest cells
-  int shift;
-  std::int32_t slot; ///< the surface point nearest to the centre c
-  float distance;    ///< d(c)
+  int x = 0, y = 0, z = 0; ///< its corner, in finest cells
+  int shift = levels;
+  std::int32_t slot = 0; ///< the surface point nearest to the centre c
+  float distance = 0.0f; ///< d(c)
   /** Nodes that can hold the nearest point of an x inside; no two overlap. */
   std::vector<std::int32_t> nodes;
+
+  Place
+  corner() const
+  {
+    return {x, y, z, true};
+  }
 };
 
-/** Boxes of nodes side by side, for four at a time. */
+/** Nodes with their boxes side by side, for four at a time. */
 struct DistanceGrid::Boxes {
   std::vector<std::int32_t> nodes;
-  Eigen::Array<float, Eigen::Dynamic, 6> sides;
+  Eigen::Array<float, Eigen::Dynamic, 6> sides; ///< at least as many rows
+  Eigen::ArrayXf squared_distance;              ///< likewise
 
-  Boxes(const BlockTree& tree, std::vector<std::int32_t> listed)
-  : nodes(std::move(listed)), sides(static_cast<Eigen::Index>(nodes.size()), 6)
+  Eigen::Index
+  size() const
   {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const PointBox& box = tree.box(static_cast<std::size_t>(nodes[k]));
-      sides.row(static_cast<Eigen::Index>(k)) << box.low.transpose(),
-          box.high.transpose();
+    return static_cast<Eigen::Index>(nodes.size());
+  }
+
+  void
+  load(const BlockTree& tree)
+  {
+    if (sides.rows() < size()) {
+      sides.resize(2 * size(), 6);
+      squared_distance.resize(2 * size());
+    }
+    for (Eigen::Index k = 0; k < size(); ++k) {
+      const PointBox& box =
+          tree.box(static_cast<std::size_t>(nodes[static_cast<std::size_t>(k)]));
+      for (int axis = 0; axis < 3; ++axis) {
+        sides(k, axis) = box.low[axis];
+        sides(k, axis + 3) = box.high[axis];
+      }
     }
   }
 
   void
-  squaredDistances(const Eigen::Vector3f& p, Eigen::ArrayXf& result) const
+  measure(const Eigen::Vector3f& p)
   {
     const auto gap = [&](int axis) {
-      return (sides.col(axis) - p[axis]).max(p[axis] - sides.col(axis + 3)).max(0.0f);
+      return (sides.col(axis).head(size()) - p[axis])
+          .max(p[axis] - sides.col(axis + 3).head(size()))
+          .max(0.0f);
     };
-    result = gap(0).square() + gap(1).square() + gap(2).square();
+    squared_distance.head(size()) = gap(0).square() + gap(1).square() + gap(2).square();
   }
 };
 
-/** What one thread adds to the grid; indices count from its own beginning. */
+/** A piece in the making. */
 struct DistanceGrid::Growth {
-  std::vector<std::pair<std::size_t, Cell>> roots;
-  std::vector<Cell> cells;
-  std::vector<std::int32_t> lists = {0};
-  std::size_t budget = 0; ///< bytes
+  Piece& piece;
+  std::size_t budget;                     ///< bytes
+  std::array<Region, levels + 1> regions; ///< one at work a level
+  std::array<Boxes, levels + 1> boxes;
 
   bool
-  affordsDivision() const
+  hasMemory() const
   {
-    return cells.size() * sizeof(Cell) + lists.size() * sizeof(std::int32_t) < budget;
+    return piece.cells.size() * sizeof(Cell) +
+               piece.lists.size() * sizeof(std::int32_t) <
+           budget;
+  }
+};
+
+/** A list that the parts of a region share, once one of them asks for it. */
+struct DistanceGrid::SharedList {
+  const Region& region;
+  std::uint32_t list;
+
+  std::uint32_t
+  make(const DistanceGrid& grid, Growth& growth)
+  {
+    if (list == 0)
+      list = grid.makeList(region, growth);
+    return list;
   }
 };
 
@@ -101,48 +147,82 @@ DistanceGrid::DistanceGrid(const BlockTree& tree,
          static_cast<double>(cells(root_bits_ + 1)) <= cells_per_point * points &&
          cells(root_bits_ + 1) * sizeof(Cell) <= memory_budget / 2)
     ++root_bits_;
-  cells_.resize(cells(root_bits_));
-  lists_.push_back(0);
+  piece_bits_ = std::min(root_bits_, most_piece_bits);
+  tolerateErrors();
 
-  std::vector<Region> pieces;
-  pieces.push_back(wholeRegion());
-  for (int bits = 0; bits < std::min(piece_bits, root_bits_); ++bits) {
-    std::vector<Region> finer;
-    for (const Region& region : pieces)
-      for (Region& part : divide(region))
-        finer.push_back(std::move(part));
-    pieces = std::move(finer);
-  }
+  const std::vector<Region> regions = divideWhole();
   std::size_t nodes = 0;
-  for (const Region& piece : pieces)
-    nodes += piece.nodes.size();
-  const std::size_t left = memory_budget - std::min(bytes(), memory_budget);
-  std::vector<Growth> growths(pieces.size());
-  parallelFor(
-      pieces.size(), 1, threads, progress, {}, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          growths[k].budget = static_cast<std::size_t>(
-              static_cast<double>(left) * static_cast<double>(pieces[k].nodes.size()) /
-              static_cast<double>(nodes));
-          grow(pieces[k], growths[k]);
-        }
-      });
-  std::size_t all_cells = cells_.size(), all_lists = lists_.size();
-  for (const Growth& growth : growths) {
-    all_cells += growth.cells.size();
-    all_lists += growth.lists.size();
+  for (const Region& region : regions)
+    nodes += region.nodes.size();
+  const std::size_t even = cells(root_bits_) * sizeof(Cell);
+  const double for_each_node =
+      static_cast<double>(memory_budget - std::min(even, memory_budget)) /
+      static_cast<double>(nodes);
+  pieces_.resize(regions.size());
+  parallelFor(regions.size(),
+              1,
+              threads,
+              progress,
+              {},
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k) {
+                  const double share =
+                      for_each_node * static_cast<double>(regions[k].nodes.size());
+                  growPiece(regions[k],
+                            even / regions.size() + static_cast<std::size_t>(share));
+                }
+              });
+  tolerated_error_ = {};
+}
+
+/** Blocks of equal points have no radius; that of nodes around them counts, too, a
+ *  quarter for each level. */
+void
+DistanceGrid::tolerateErrors()
+{
+  std::vector<float> radius(2 * tree_.size());
+  for (std::size_t node = 1; node < radius.size(); ++node)
+    radius[node] = std::max(tree_.box(node).radius(), 0.25f * radius[node / 2]);
+  tolerated_error_.resize(tree_.size());
+  for (std::size_t b = 0; b < tree_.size(); ++b)
+    tolerated_error_[b] = error_to_radius * radius[tree_.nodeOfBlock(b)];
+}
+
+std::size_t
+DistanceGrid::bytes() const
+{
+  std::size_t sum = 0;
+  for (const Piece& piece : pieces_)
+    sum +=
+        piece.cells.size() * sizeof(Cell) + piece.lists.size() * sizeof(std::int32_t);
+  return sum;
+}
+
+/** The region of each piece. */
+std::vector<DistanceGrid::Region>
+DistanceGrid::divideWhole() const
+{
+  std::vector<Region> regions = {wholeRegion()};
+  Boxes boxes;
+  for (int bits = 0; bits < piece_bits_; ++bits) {
+    std::vector<Region> finer(8 * regions.size());
+    for (std::size_t k = 0; k < finer.size(); ++k) {
+      if (k % 8 == 0)
+        open(regions[k / 8], boxes);
+      makePart(regions[k / 8], boxes, static_cast<int>(k % 8), finer[k]);
+      keepNodes(boxes, finer[k]);
+    }
+    regions = std::move(finer);
   }
-  cells_.reserve(all_cells);
-  lists_.reserve(all_lists);
-  for (Growth& growth : growths)
-    merge(growth);
+  return regions;
 }
 
 DistanceGrid::Region
 DistanceGrid::wholeRegion() const
 {
-  Region whole{0, 0, 0, levels, 0, 0.0f, {1}};
-  const Eigen::Vector3f centre = centreOf({0, 0, 0, true}, levels);
+  Region whole;
+  whole.nodes = {1};
+  const Eigen::Vector3f centre = centreOf(whole.corner(), levels);
   BlockTree::Nearest nearest;
   tree_.descend(1, centre, nearest);
   whole.slot = nearest.slot;
@@ -150,52 +230,13 @@ DistanceGrid::wholeRegion() const
   return whole;
 }
 
-/** One eighth of a region. */
-DistanceGrid::Region
-DistanceGrid::child(const Region& parent, const Boxes& boxes, int octant) const
-{
-  const int half = 1 << (parent.shift - 1);
-  Region region{parent.x + (octant & 1 ? half : 0),
-                parent.y + (octant & 2 ? half : 0),
-                parent.z + (octant & 4 ? half : 0),
-                parent.shift - 1,
-                0,
-                0.0f,
-                {}};
-  const Eigen::Vector3f centre =
-      centreOf({region.x, region.y, region.z, true}, region.shift);
-  thread_local Eigen::ArrayXf to_node;
-  boxes.squaredDistances(centre, to_node);
-  Eigen::Index first = 0;
-  to_node.minCoeff(&first);
-  BlockTree::Nearest nearest;
-  tree_.descend(static_cast<std::size_t>(boxes.nodes[static_cast<std::size_t>(first)]),
-                centre,
-                nearest);
-  for (Eigen::Index k = 0; k < to_node.size(); ++k)
-    if (to_node[k] <= nearest.squared_distance * BlockTree::rounding)
-      tree_.descend(static_cast<std::size_t>(boxes.nodes[static_cast<std::size_t>(k)]),
-                    centre,
-                    nearest);
-  region.slot = nearest.slot;
-  region.distance = std::sqrt(nearest.squared_distance);
-
-  // Whatever x in the cell: d(x) <= d(c) + |x - c|, and a node at distance b from c is
-  // no nearer to x than b - |x - c|.
-  const float reach =
-      (region.distance + 2.0f * halfDiagonal(region.shift)) * 1.00001f + slack_;
-  for (Eigen::Index k = 0; k < to_node.size(); ++k)
-    if (to_node[k] <= reach * reach)
-      region.nodes.push_back(boxes.nodes[static_cast<std::size_t>(k)]);
-  return region;
-}
-
-/** The eight parts of a region. Nodes that are larger than a part are opened first. */
-std::vector<DistanceGrid::Region>
-DistanceGrid::divide(const Region& region) const
+/** The nodes of a region for its parts: those larger than a part are opened. */
+void
+DistanceGrid::open(const Region& region, Boxes& boxes) const
 {
   const float part = halfDiagonal(region.shift - 1);
-  std::vector<std::int32_t> nodes = region.nodes;
+  std::vector<std::int32_t>& nodes = boxes.nodes;
+  nodes = region.nodes;
   for (std::size_t k = 0; k < nodes.size();) {
     const auto node = static_cast<std::size_t>(nodes[k]);
     if (tree_.isBlock(node) || tree_.box(node).radius() <= part) {
@@ -205,87 +246,168 @@ DistanceGrid::divide(const Region& region) const
     nodes[k] = static_cast<std::int32_t>(2 * node);
     nodes.push_back(static_cast<std::int32_t>(2 * node + 1));
   }
-  const Boxes boxes(tree_, std::move(nodes));
-  std::vector<Region> parts;
-  for (int octant = 0; octant < 8; ++octant)
-    parts.push_back(child(region, boxes, octant));
-  return parts;
+  boxes.load(tree_);
+}
+
+/** One eighth of a region. */
+void
+DistanceGrid::makePart(const Region& whole,
+                       Boxes& boxes,
+                       int octant,
+                       Region& part) const
+{
+  part.shift = whole.shift - 1;
+  const int half = 1 << part.shift;
+  part.x = whole.x + (octant & 1 ? half : 0);
+  part.y = whole.y + (octant & 2 ? half : 0);
+  part.z = whole.z + (octant & 4 ? half : 0);
+  const Eigen::Vector3f centre = centreOf(part.corner(), part.shift);
+  boxes.measure(centre);
+  const auto nodeAt = [&](Eigen::Index k) {
+    return boxes.nodes[static_cast<std::size_t>(k)];
+  };
+  Eigen::Index first = 0;
+  boxes.squared_distance.head(boxes.size()).minCoeff(&first);
+  BlockTree::Nearest nearest;
+  tree_.descend(static_cast<std::size_t>(nodeAt(first)), centre, nearest);
+  for (Eigen::Index k = 0; k < boxes.size(); ++k)
+    if (k != first &&
+        boxes.squared_distance[k] <= nearest.squared_distance * BlockTree::rounding)
+      tree_.descend(static_cast<std::size_t>(nodeAt(k)), centre, nearest);
+  part.slot = nearest.slot;
+  part.distance = std::sqrt(nearest.squared_distance);
+}
+
+/** Keep the nodes that can hold the nearest point of an x in a part, once it is made.
+ */
+void
+DistanceGrid::keepNodes(const Boxes& boxes, Region& part) const
+{
+  // Whatever x in the cell: d(x) <= d(c) + |x - c|, and a node at distance b from c is
+  // no nearer to x than b - |x - c|.
+  const float reach =
+      (part.distance + 2.0f * halfDiagonal(part.shift)) * 1.00001f + slack_;
+  part.nodes.resize(boxes.nodes.size());
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < boxes.nodes.size(); ++k) { // no branch to guess wrong
+    part.nodes[kept] = boxes.nodes[k];
+    kept += boxes.squared_distance[static_cast<Eigen::Index>(k)] <= reach * reach;
+  }
+  part.nodes.resize(kept);
+}
+
+/** Whether a cell is worth dividing. At x = c + e, |x - n| exceeds d(x) by no more than
+ *  about |e|^2 / d(c) where the surface is flat, and by |e| close to it. */
+bool
+DistanceGrid::isCoarse(const Region& cell) const
+{
+  const float h = halfDiagonal(cell.shift);
+  const auto block = static_cast<std::size_t>(cell.slot / PointBlock::capacity);
+  return cell.shift > 0 && h > slack_ && cell.distance <= far_away * h &&
+         h * h > tolerated_error_[block] * std::max(cell.distance, h);
+}
+
+void
+DistanceGrid::growPiece(const Region& region, std::size_t budget)
+{
+  Piece& piece = pieces_[pieceAt(region.corner())];
+  piece.cells.resize(std::size_t{1} << (3 * (root_bits_ - piece_bits_)));
+  piece.lists.push_back(0);
+  const auto growth = std::make_unique<Growth>(Growth{piece, budget, {}, {}});
+  SharedList whole{region, 0};
+  grow(region, whole, *growth);
+  piece.cells.shrink_to_fit();
+  piece.lists.shrink_to_fit();
 }
 
 /** Fill the even grid inside a region, and divide its cells where that pays. */
 void
-DistanceGrid::grow(const Region& region, Growth& growth)
+DistanceGrid::grow(const Region& region, SharedList& whole, Growth& growth) const
 {
-  const int root_shift = rootShift();
-  if (region.shift > root_shift) {
-    for (const Region& part : divide(region))
-      grow(part, growth);
+  if (region.shift == rootShift()) {
+    const Cell cell = makeCell(region, 0, whole, growth);
+    growth.piece.cells[rootAt(region.corner())] = cell;
     return;
   }
-  const auto fill = [&](const auto& self, const Region& of_cell) -> Cell {
-    const bool near = of_cell.distance <= halfDiagonal(of_cell.shift);
-    if (near && of_cell.nodes.size() > few_nodes && of_cell.shift > 0 &&
-        growth.affordsDivision()) {
-      const std::size_t first = growth.cells.size();
-      growth.cells.resize(first + 8);
-      const std::vector<Region> parts = divide(of_cell);
-      for (std::size_t octant = 0; octant < 8; ++octant) {
-        const Cell cell = self(self, parts[octant]);
-        growth.cells[first + octant] = cell;
-      }
-      return {~static_cast<std::int32_t>(first), 0};
-    }
-    if (of_cell.nodes.size() > most_nodes)
-      return {of_cell.slot, 0};
-    const auto list = static_cast<std::uint32_t>(growth.lists.size());
-    growth.lists.push_back(static_cast<std::int32_t>(of_cell.nodes.size()));
-    growth.lists.insert(growth.lists.end(), of_cell.nodes.begin(), of_cell.nodes.end());
-    return {of_cell.slot, list};
-  };
-  growth.roots.emplace_back(
-      rootIndex(region.x >> root_shift, region.y >> root_shift, region.z >> root_shift),
-      fill(fill, region));
+  Boxes& boxes = growth.boxes[static_cast<std::size_t>(region.shift)];
+  Region& part = growth.regions[static_cast<std::size_t>(region.shift - 1)];
+  open(region, boxes);
+  SharedList shared{region, 0};
+  for (int octant = 0; octant < 8; ++octant) {
+    makePart(region, boxes, octant, part);
+    keepNodes(boxes, part);
+    grow(part, shared, growth);
+  }
 }
 
-/** Take over what a thread has made, with indices that count from the grid's
- *  beginning. */
-void
-DistanceGrid::merge(Growth& growth)
+/** Divide a cell where that pays.
+ *  \param[in] list of a larger cell around this one, when that is a short one; else 0
+ *  \param[in,out] whole what this cell is an eighth of */
+DistanceGrid::Cell
+DistanceGrid::makeCell(const Region& region,
+                       std::uint32_t list,
+                       SharedList& whole,
+                       Growth& growth) const
 {
-  const auto cells_before = static_cast<std::int32_t>(cells_.size());
-  const auto lists_before = static_cast<std::uint32_t>(lists_.size() - 1);
-  const auto moved = [&](Cell cell) -> Cell {
-    return {cell.slot < 0 ? cell.slot - cells_before : cell.slot,
-            cell.list > 0 ? cell.list + lists_before : 0};
-  };
-  for (const auto& [root, cell] : growth.roots)
-    cells_[root] = moved(cell);
-  for (const Cell& cell : growth.cells)
-    cells_.push_back(moved(cell));
-  lists_.insert(lists_.end(), growth.lists.begin() + 1, growth.lists.end());
-  growth = Growth();
+  if (list == 0 && region.nodes.size() <= few_nodes)
+    list = makeList(region, growth);
+  if (!isCoarse(region) || !growth.hasMemory())
+    return {region.slot, list != 0 ? list : whole.make(*this, growth)};
+  const std::size_t first = growth.piece.cells.size();
+  growth.piece.cells.resize(first + 8);
+  Boxes& boxes = growth.boxes[static_cast<std::size_t>(region.shift)];
+  Region& part = growth.regions[static_cast<std::size_t>(region.shift - 1)];
+  open(region, boxes);
+  SharedList shared{region, 0};
+  for (int octant = 0; octant < 8; ++octant) {
+    makePart(region, boxes, octant, part);
+    if (list == 0 || isCoarse(part))
+      keepNodes(boxes, part);
+    const Cell cell = makeCell(part, list, shared, growth);
+    growth.piece.cells[first + static_cast<std::size_t>(octant)] = cell;
+  }
+  return {~static_cast<std::int32_t>(first), 0};
 }
 
-BlockTree::Nearest
-DistanceGrid::nearest(const Eigen::Vector3f& x) const
+/** \return 0 when it would be too long, or memory has run out */
+std::uint32_t
+DistanceGrid::makeList(const Region& region, Growth& growth) const
 {
-  BlockTree::Nearest nearest;
+  if (region.nodes.size() > most_nodes || !growth.hasMemory())
+    return 0;
+  const auto list = static_cast<std::uint32_t>(growth.piece.lists.size());
+  growth.piece.lists.push_back(static_cast<std::int32_t>(region.nodes.size()));
+  growth.piece.lists.insert(
+      growth.piece.lists.end(), region.nodes.begin(), region.nodes.end());
+  return list;
+}
+
+float
+DistanceGrid::distance(const Eigen::Vector3f& x) const
+{
   const Place place = placeOf(x);
-  const Cell& cell = *leafAt(place).cell;
-  if (!place.inside || cell.list == 0)
-    return nearest;
-  tree_.descend(
-      tree_.nodeOfBlock(static_cast<std::size_t>(cell.slot / PointBlock::capacity)),
-      x,
-      nearest);
-  const std::int32_t* list = &lists_[cell.list];
+  const Leaf leaf = leafAt(place);
+  if (!place.inside || leaf.cell->list == 0)
+    return -1.0f;
+  const std::int32_t* list = &leaf.piece->lists[leaf.cell->list];
+  // The block of the point nearest to the centre first: most others are farther then.
+  const auto likely = static_cast<std::size_t>(leaf.cell->slot / PointBlock::capacity);
+  BlockTree::Nearest nearest;
+  nearest.squared_distance = tree_.block(likely).squaredDistances(x).minCoeff();
   for (std::int32_t k = 1; k <= list[0]; ++k) {
     const auto node = static_cast<std::size_t>(list[k]);
-    if (tree_.box(node).squaredDistance(x) <=
-        nearest.squared_distance * BlockTree::rounding)
+    if (node == tree_.nodeOfBlock(likely) ||
+        tree_.box(node).squaredDistance(x) >
+            nearest.squared_distance * BlockTree::rounding)
+      continue;
+    if (tree_.isBlock(node))
+      nearest.squared_distance =
+          std::min(nearest.squared_distance,
+                   tree_.block(node - tree_.size()).squaredDistances(x).minCoeff());
+    else
       tree_.descend(node, x, nearest);
   }
-  return nearest;
+  return std::sqrt(nearest.squared_distance);
 }
 
 } // namespace pcl_cid

@@ -16,7 +16,7 @@
 
 #include <algorithm>
 #include <array>
-
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,13 +24,15 @@
 namespace pcl_cid {
 
 /** \brief An octree over the surface, on top of an even grid that takes its upper
- *  levels: cells near the surface are divided until few points are near.
+ *  levels: cells are divided until their bounds are about as good as the spacing of the
+ *  points is fine.
  *
- *  A cell that is not divided knows the surface point nearest to its centre c:
- *  - |x - that point| bounds d(x) from above, since the point is one of S;
- *  - |c - that point| - |x - c| bounds it from below, since d is 1-Lipschitz. It also
- *    lists the nodes of the block tree that can hold the nearest point of anything
- *    inside it, unless they are too many: a minimum over those is exact.
+ *  A cell that is not divided knows the surface point n nearest to its centre c:
+ *  - |x - n| bounds d(x) from above, since n is a point of S;
+ *  - |c - n| - |x - c| bounds it from below, since d is 1-Lipschitz.
+ *  It also shares with its neighbours a list of the nodes of the block tree that can
+ *  hold the nearest point of anything inside them, unless they are too many: a minimum
+ *  over those is exact.
  *
  *  Finer means nothing but faster: memory that runs out ends the division, and every
  *  answer stays right. */
@@ -45,7 +47,7 @@ public:
                int threads,
                Progress& progress);
 
-  /** \brief Certified bounds of d(x; S), for any x. */
+  /** \brief Certified bounds of d(x; S), for any x, from one point of S. */
   DistanceBounds
   bounds(const Eigen::Vector3f& x) const
   {
@@ -66,16 +68,13 @@ public:
            slack_;
   }
 
-  /** \brief The surface point nearest to x, when the cell of x lists who can be that;
-   *  slot -1 when it does not. */
-  BlockTree::Nearest
-  nearest(const Eigen::Vector3f& x) const;
+  /** \brief d(x; S), when the cell of x lists who can be nearest; negative when it
+   *  does not. */
+  float
+  distance(const Eigen::Vector3f& x) const;
 
   std::size_t
-  bytes() const
-  {
-    return cells_.size() * sizeof(Cell) + lists_.size() * sizeof(std::int32_t);
-  }
+  bytes() const;
 
 private:
   static constexpr int levels =
@@ -87,7 +86,14 @@ private:
 
   struct Cell {
     std::int32_t slot;  ///< of the nearest point, or ~index of the first of 8 cells
-    std::uint32_t list; ///< where its nodes are listed, number first; 0: not kept
+    std::uint32_t list; ///< where its nodes are listed; 0: not kept
+  };
+
+  /** One of the 8^piece_bits_ equal cubes that the grid is made in, each by one thread:
+   *  its part of the even grid, then the cells that those are divided into. */
+  struct Piece {
+    std::vector<Cell> cells;
+    std::vector<std::int32_t> lists; ///< each begins with the number of its nodes
   };
 
   /** Coordinates in units of the finest cell. */
@@ -97,6 +103,7 @@ private:
   };
 
   struct Leaf {
+    const Piece* piece;
     const Cell* cell;
     int shift; ///< its side is 2^shift finest cells
   };
@@ -119,24 +126,52 @@ private:
     return levels - root_bits_;
   }
 
-  std::size_t
-  rootIndex(int x, int y, int z) const
+  int
+  pieceShift() const
   {
-    return static_cast<std::size_t>((((z << root_bits_) | y) << root_bits_) | x);
+    return levels - piece_bits_;
+  }
+
+  /** Index of a cube in a row-major array of 2^bits a side. */
+  static std::size_t
+  indexOf(int x, int y, int z, int bits)
+  {
+    return static_cast<std::size_t>((((z << bits) | y) << bits) | x);
+  }
+
+  std::size_t
+  pieceAt(const Place& at) const
+  {
+    const int shift = pieceShift();
+    return indexOf(at.x >> shift, at.y >> shift, at.z >> shift, piece_bits_);
+  }
+
+  /** Index in its piece of the cell of the even grid. */
+  std::size_t
+  rootAt(const Place& at) const
+  {
+    const int bits = root_bits_ - piece_bits_;
+    const int inside = (1 << bits) - 1;
+    const int shift = rootShift();
+    return indexOf((at.x >> shift) & inside,
+                   (at.y >> shift) & inside,
+                   (at.z >> shift) & inside,
+                   bits);
   }
 
   Leaf
   leafAt(const Place& at) const
   {
+    const Piece& piece = pieces_[pieceAt(at)];
     int shift = rootShift();
-    const Cell* cell = &cells_[rootIndex(at.x >> shift, at.y >> shift, at.z >> shift)];
+    const Cell* cell = &piece.cells[rootAt(at)];
     while (cell->slot < 0) {
       --shift;
       const int octant = ((at.x >> shift) & 1) | (((at.y >> shift) & 1) << 1) |
                          (((at.z >> shift) & 1) << 2);
-      cell = &cells_[static_cast<std::size_t>(~cell->slot + octant)];
+      cell = &piece.cells[static_cast<std::size_t>(~cell->slot + octant)];
     }
-    return {cell, shift};
+    return {&piece, cell, shift};
   }
 
   Eigen::Vector3f
@@ -153,6 +188,7 @@ private:
   struct Region;
   struct Boxes;
   struct Growth;
+  struct SharedList;
 
   float
   halfDiagonal(int shift) const
@@ -163,26 +199,48 @@ private:
   Region
   wholeRegion() const;
 
-  Region
-  child(const Region& parent, const Boxes& boxes, int octant) const;
+  void
+  open(const Region& region, Boxes& boxes) const;
+
+  void
+  makePart(const Region& whole, Boxes& boxes, int octant, Region& part) const;
+
+  void
+  keepNodes(const Boxes& boxes, Region& part) const;
+
+  bool
+  isCoarse(const Region& cell) const;
+
+  void
+  tolerateErrors();
 
   std::vector<Region>
-  divide(const Region& region) const;
+  divideWhole() const;
 
   void
-  grow(const Region& region, Growth& growth);
+  growPiece(const Region& region, std::size_t budget);
 
   void
-  merge(Growth& growth);
+  grow(const Region& region, SharedList& whole, Growth& growth) const;
+
+  Cell
+  makeCell(const Region& region,
+           std::uint32_t list,
+           SharedList& whole,
+           Growth& growth) const;
+
+  std::uint32_t
+  makeList(const Region& region, Growth& growth) const;
 
   const BlockTree& tree_;
-  int root_bits_ = 0;
+  int root_bits_ = 0;  ///< the even grid has 2^this cells a side
+  int piece_bits_ = 0; ///< and is made in 2^this pieces a side
   Eigen::Vector3f corner_;
   float finest_; ///< side of a finest cell
   float inverse_finest_;
-  float slack_; ///< covers the rounding of every bound
-  std::vector<Cell> cells_;
-  std::vector<std::int32_t> lists_;
+  float slack_;                        ///< covers the rounding of every bound
+  std::vector<float> tolerated_error_; ///< by block, while the grid is made
+  std::vector<Piece> pieces_;
 };
 
 } // namespace pcl_cid

@@ -19,8 +19,8 @@
 namespace pcl_cid {
 namespace {
 
-/** Samples that a lower bound of the CID of a pair looks at. */
-constexpr std::size_t bound_samples = 9;
+/** Levels of samples that a lower bound of the CID of a pair looks at. */
+constexpr std::size_t bound_levels = 3;
 
 /** The share of the progress that the bounds take. */
 constexpr double bounds_share = 0.2;
@@ -77,14 +77,14 @@ double
 GroupCIDs::lowerBound(Pair pair) const
 {
   const DistanceGrid& grid = field_.grid();
-  const auto& entries = order_.entries();
   double sum = 0.0;
   for (const Eigen::Vector3f& p : drawn_[pair.i])
     for (const Eigen::Vector3f& q : drawn_[pair.j]) {
       const SegmentSamples segment(p, q, order_.samples());
       float low = 0.0f;
-      for (std::size_t k = 2; k < std::min(entries.size(), bound_samples); ++k)
-        low = std::max(low, grid.bounds(segment.at(entries[k].sample)).low);
+      for (std::size_t k = 0; k < std::min(order_.levels().size(), bound_levels); ++k)
+        for (const SampleOrder::Entry& entry : order_.levels()[k])
+          low = std::max(low, grid.bounds(segment.at(entry.sample)).low);
       sum += std::max(low - segment.slack, 0.0f);
     }
   return sum / (static_cast<double>(drawn_[pair.i].size()) *

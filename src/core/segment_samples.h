@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <queue>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,37 +23,27 @@ namespace pcl_cid {
 
 /** \brief The samples 0 .. M - 1 of a segment by bisection: both ends, the middle, the
  *  quarters, and so on. What is far from the surface is met early, and each sample
- *  after the ends lies between two that are known. */
+ *  after the ends lies between two of earlier levels. */
 class SampleOrder {
 public:
   struct Entry {
     std::size_t sample;
-    std::size_t left;  ///< the nearest known sample before it; itself for an end
+    std::size_t left;  ///< the nearest sample before it of an earlier level
     std::size_t right; ///< and after it
-
-    bool
-    isEnd() const
-    {
-      return left == right;
-    }
   };
+  using Level = std::vector<Entry>;
 
-  explicit SampleOrder(int samples)
+  explicit SampleOrder(int samples) : samples_(samples)
   {
-    const auto last = static_cast<std::size_t>(samples - 1);
-    entries_.push_back({0, 0, 0});
-    entries_.push_back({last, last, last});
-    std::queue<std::pair<std::size_t, std::size_t>> open;
-    open.push({0, last});
+    Level open;
+    addBetween(0, last(), open);
     while (!open.empty()) {
-      const auto [left, right] = open.front();
-      open.pop();
-      if (right - left < 2)
-        continue;
-      const std::size_t middle = left + (right - left) / 2;
-      entries_.push_back({middle, left, right});
-      open.push({left, middle});
-      open.push({middle, right});
+      Level next;
+      for (const Entry& entry : open) {
+        addBetween(entry.left, entry.sample, next);
+        addBetween(entry.sample, entry.right, next);
+      }
+      levels_.push_back(std::exchange(open, std::move(next)));
     }
   }
 
@@ -61,17 +51,39 @@ public:
   int
   samples() const
   {
-    return static_cast<int>(entries_.size());
+    return samples_;
   }
 
-  const std::vector<Entry>&
-  entries() const
+  /** \brief M - 1, the sample at the far end; that at the near one is 0. */
+  std::size_t
+  last() const
   {
-    return entries_;
+    return static_cast<std::size_t>(samples_) - 1;
+  }
+
+  /** \brief All samples but the ends. */
+  const std::vector<Level>&
+  levels() const
+  {
+    return levels_;
   }
 
 private:
-  std::vector<Entry> entries_;
+  static std::size_t
+  middle(std::size_t left, std::size_t right)
+  {
+    return left + (right - left) / 2;
+  }
+
+  static void
+  addBetween(std::size_t left, std::size_t right, Level& level)
+  {
+    if (right - left > 1)
+      level.push_back({middle(left, right), left, right});
+  }
+
+  int samples_;
+  std::vector<Level> levels_;
 };
 
 /** \brief A segment in float, for bounds: its samples are near those of
@@ -112,16 +124,46 @@ struct SegmentSamples {
   between(const SampleOrder::Entry& entry, const std::vector<float>& high) const
   {
     return 0.5f * (high[entry.left] + high[entry.right] +
-                   spacing * static_cast<float>(entry.right - entry.left));
+                   spacing * static_cast<float>(entry.right - entry.left)) +
+           slack;
   }
 };
 
-/** \brief pointCID() with the order of the samples at hand. */
+/** \brief A segment whose CID is asked for. */
+struct Segment {
+  const Eigen::Vector3f& p;
+  const Eigen::Vector3f& q;
+  bool between_surface_points; ///< d is known to be 0 at both ends
+};
+
+/** \brief Whether the CID of a segment reaches a limit, which is cheaper than the CID.
+ *  \param[in,out] hint the sample to look at first, since one that is far from the
+ *  surface decides; on return the one that did, which is a good hint for the next
+ *  segment close to this one
+ *  \return at least \a limit and at most the CID; nothing when the CID is less */
+std::optional<float>
+findCIDAtLeast(const DistanceField& field,
+               const Segment& segment,
+               const SampleOrder& order,
+               float limit,
+               std::size_t& hint);
+
+/** \brief An upper bound of the CID of a segment, from bounds of d alone; \a limit or
+ *  more when it is of no use.
+ *  \param[in,out] hint as for findCIDAtLeast() */
+float
+boundPointCID(const DistanceField& field,
+              const Segment& segment,
+              const SampleOrder& order,
+              float limit,
+              std::size_t& hint);
+
+/** \brief pointCID() with the order of the samples at hand, and a hint. */
 float
 pointCID(const DistanceField& field,
-         const Eigen::Vector3f& p,
-         const Eigen::Vector3f& q,
+         const Segment& segment,
          const SampleOrder& order,
-         float limit);
+         float limit,
+         std::size_t& hint);
 
 } // namespace pcl_cid

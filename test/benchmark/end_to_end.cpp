@@ -33,7 +33,7 @@ constexpr const char* about =
     "Measures pcl_cid, and the literal method, on one cloud.\n\n"
     "Usage: cid_end_to_end (CLOUD.pcd | --room even|sensor --points N) "
     "--measure WORK[:SEEDS[:THREADS]] ... [options]\n\n"
-    "WORK is segment, sample, extend, seeds, merge, literal or check. Every "
+    "WORK is segment, sample, extend, seeds, merge, cut, literal or check. Every "
     "measurement "
     "is a process of its own that begins with the loaded cloud; rounds take turns, so "
     "that a slow moment of the machine meets all of them. A literal one works with the "
@@ -45,7 +45,7 @@ struct Settings {
   std::size_t points = 20000;
   std::vector<std::string> measure;
   int samples = 100;
-  double literal_seconds = 15.0;
+  double literal_seconds = 10.0;
   int rounds = 3;
   std::string csv;
 };
@@ -64,7 +64,7 @@ describe(Settings& settings)
   add("samples", po::value(&settings.samples), "samples on a segment; default 100");
   add("literal-seconds",
       po::value(&settings.literal_seconds),
-      "how long a literal measurement goes on with pairs; default 15");
+      "how long a literal measurement goes on with pairs; default 10");
   add("rounds", po::value(&settings.rounds), "how often all is measured; default 3");
   add("csv", po::value(&settings.csv), "file that rows are appended to");
   add("help,h", "print this and exit");

@@ -100,19 +100,19 @@ roomOf(benchmark::State& state)
 }
 
 /** A segment from a point to a seed. */
-struct Segment {
+struct Query {
   std::size_t point;
   Eigen::Vector3f p;
   Eigen::Vector3f q;
 };
 
 /** Random pairs of a point and a seed: what Algorithm 1 looks at. */
-std::vector<Segment>
+std::vector<Query>
 drawSegments(Room& room)
 {
   RandomGenerator generator(0);
   const pcl::Indices& seeds = room.proposal().seeds;
-  std::vector<Segment> segments;
+  std::vector<Query> segments;
   for (std::size_t i = 0; i < queries; ++i) {
     const std::size_t point = drawBelow(generator, room.points().size());
     const auto seed =
@@ -128,7 +128,7 @@ drawSamples(Room& room)
 {
   RandomGenerator generator(1);
   Points positions;
-  for (const Segment& segment : drawSegments(room))
+  for (const Query& segment : drawSegments(room))
     positions.push_back(segmentSample(segment.p,
                                       segment.q,
                                       static_cast<int>(drawBelow(generator, samples)),
@@ -137,9 +137,9 @@ drawSamples(Room& room)
 }
 
 /** Time \a ask for one query after the other. */
-template <typename Query, typename Ask>
+template <typename Item, typename Ask>
 void
-timeEach(benchmark::State& state, const std::vector<Query>& all, const Ask& ask)
+timeEach(benchmark::State& state, const std::vector<Item>& all, const Ask& ask)
 {
   std::size_t i = 0;
   for (auto _ : state) {
@@ -181,7 +181,7 @@ pointCIDExact(benchmark::State& state)
 {
   Room& room = roomOf(state);
   const DistanceField& field = room.field();
-  timeEach(state, drawSegments(room), [&](const Segment& segment) {
+  timeEach(state, drawSegments(room), [&](const Query& segment) {
     return pointCID(field, segment.p, segment.q, samples);
   });
 }
@@ -193,7 +193,7 @@ pointCIDWithLimit(benchmark::State& state)
   Room& room = roomOf(state);
   const DistanceField& field = room.field();
   const std::vector<float>& cid = room.proposal().cid;
-  timeEach(state, drawSegments(room), [&](const Segment& segment) {
+  timeEach(state, drawSegments(room), [&](const Query& segment) {
     return pointCID(field, segment.p, segment.q, samples, cid[segment.point]);
   });
 }

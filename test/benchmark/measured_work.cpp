@@ -33,6 +33,7 @@ namespace pcl_cid::benchmarks {
 namespace {
 
 constexpr int extended_by = 10;
+constexpr std::size_t parts_of_cut = 30;
 constexpr std::size_t checked_points = 50;
 /** The literal method would go through the points in their order, for which the caches
  *  of the processor thank it: the pairs are drawn in runs of neighbours. */
@@ -78,10 +79,11 @@ public:
   }
 
   MergeTree
-  mergeGroups(const SeedProposal& proposal) const
+  mergeGroups(const SeedProposal& proposal, std::size_t parts) const
   {
     GroupMergingOptions options;
     options.samples = parameters_.getNumberOfSamples();
+    options.stop_at_parts = parts;
     options.execution = execution_;
     return pcl_cid::mergeGroups(ready_.working->field(),
                                 ready_.working->points(),
@@ -153,15 +155,27 @@ seeds(const Work& work, const Cloud::ConstPtr& cloud)
 }
 
 Measurement
-merge(const Work& work, const Cloud::ConstPtr& cloud)
+mergeTo(std::size_t parts, const Work& work, const Cloud::ConstPtr& cloud)
 {
   const Decomposition decomposition(work, *cloud);
   const SeedProposal proposal = decomposition.proposeSeeds();
   Measurement result;
   const Stopwatch watch;
-  decomposition.mergeGroups(proposal);
+  decomposition.mergeGroups(proposal, parts);
   result.seconds = watch.seconds();
   return result;
+}
+
+Measurement
+merge(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  return mergeTo(1, work, cloud);
+}
+
+Measurement
+cut(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  return mergeTo(parts_of_cut, work, cloud);
 }
 
 struct Pair {
@@ -286,6 +300,7 @@ works()
                                                      {"extend", extend},
                                                      {"seeds", seeds},
                                                      {"merge", merge},
+                                                     {"cut", cut},
                                                      {"literal", literal},
                                                      {"check", check}};
   return all;

@@ -37,6 +37,7 @@ struct Work {
  *  \li `extend`: CIDSampler::extend by the last ten of the K seeds, nothing else
  *  \li `seeds`: Algorithm 1 on a field that is there already
  *  \li `merge`: the matrix of group CIDs and Algorithm 2, nothing else
+ *  \li `cut`: as `merge`, stopped at 30 parts
  *  \li `literal`: LiteralMethod on random pairs of a point and a seed, in runs of 16
  *  consecutive points, scaled up to all pairs; building the tree counts and is not
  *  scaled

@@ -114,11 +114,11 @@ TEST_P(GridOfClouds, AnswersAreExactToTheBit)
   std::size_t answered = 0;
   const Points x = probes(GetParam().points, 10000, 136);
   for (const Eigen::Vector3f& probe : x) {
-    const BlockTree::Nearest nearest = indexed.grid.nearest(probe);
-    if (nearest.slot < 0)
+    const float distance = indexed.grid.distance(probe);
+    if (distance < 0.0f)
       continue;
     ++answered;
-    wrong += nearest.squared_distance != indexed.squaredDistance(probe);
+    wrong += distance != std::sqrt(indexed.squaredDistance(probe));
   }
   EXPECT_EQ(wrong, 0u);
   EXPECT_GT(answered, x.size() / 20) << "the grid must answer near the surface";
@@ -137,9 +137,9 @@ TEST_P(GridOfClouds, LittleMemoryIsKeptToAndChangesNoAnswer)
       const double d = rich.distance(x);
       EXPECT_LE(static_cast<double>(bounds.low), d);
       EXPECT_GE(static_cast<double>(bounds.high), d);
-      const BlockTree::Nearest nearest = poor.grid.nearest(x);
-      if (nearest.slot >= 0) {
-        EXPECT_EQ(nearest.squared_distance, rich.squaredDistance(x));
+      const float distance = poor.grid.distance(x);
+      if (distance >= 0.0f) {
+        EXPECT_EQ(distance, std::sqrt(rich.squaredDistance(x)));
       }
     }
   }
@@ -155,7 +155,7 @@ TEST_P(GridOfClouds, IsTheSameForEveryNumberOfThreads)
     for (const Eigen::Vector3f& probe : x) {
       EXPECT_EQ(parallel.grid.bounds(probe).low, serial.grid.bounds(probe).low);
       EXPECT_EQ(parallel.grid.bounds(probe).high, serial.grid.bounds(probe).high);
-      EXPECT_EQ(parallel.grid.nearest(probe).slot, serial.grid.nearest(probe).slot);
+      EXPECT_EQ(parallel.grid.distance(probe), serial.grid.distance(probe));
     }
   }
 }

@@ -11,6 +11,9 @@
 
 #include "clouds.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace pcl_cid::test {
@@ -22,15 +25,17 @@ TEST(SampleOrder, HasEverySampleOnceEachBetweenTwoKnownOnes)
     const SampleOrder order(samples);
     EXPECT_EQ(order.samples(), samples);
     std::vector<int> known(static_cast<std::size_t>(samples), 0);
-    for (const SampleOrder::Entry& entry : order.entries()) {
-      EXPECT_EQ(known[entry.sample], 0);
-      if (!entry.isEnd()) {
+    known.front() = known.back() = 1;
+    for (const SampleOrder::Level& level : order.levels()) {
+      for (const SampleOrder::Entry& entry : level) {
         EXPECT_LT(entry.left, entry.sample);
         EXPECT_LT(entry.sample, entry.right);
-        EXPECT_EQ(known[entry.left], 1);
-        EXPECT_EQ(known[entry.right], 1);
+        EXPECT_EQ(known[entry.left], 1) << "known before the level";
+        EXPECT_EQ(known[entry.right], 1) << "known before the level";
+        EXPECT_EQ(known[entry.sample], 0);
       }
-      known[entry.sample] = 1;
+      for (const SampleOrder::Entry& entry : level)
+        known[entry.sample] = 1;
     }
     EXPECT_EQ(known, std::vector<int>(static_cast<std::size_t>(samples), 1));
   }
@@ -67,10 +72,40 @@ TEST(SegmentSamples, BoundBetweenTwoSamplesHolds)
     std::vector<float> high(33);
     for (std::size_t l = 0; l < 33; ++l)
       high[l] = field.distance(segment.at(l));
-    for (const SampleOrder::Entry& entry : order.entries()) {
-      if (!entry.isEnd()) {
-        EXPECT_LE(high[entry.sample], segment.between(entry, high) + 1e-5f);
-      }
+    for (const SampleOrder::Level& level : order.levels())
+      for (const SampleOrder::Entry& entry : level)
+        EXPECT_LE(high[entry.sample], segment.between(entry, high));
+  }
+}
+
+TEST(SegmentSamples, ComparisonsHoldWhateverTheHint)
+{
+  const Points surface = twoBoxes(2000, 153);
+  const DistanceField field(surface);
+  for (const int samples : {2, 3, 40, 100}) {
+    const SampleOrder order(samples);
+    for (std::size_t i = 0; i + 1 < 300; ++i) {
+      const Segment segment{surface[i], surface[i + 1], true};
+      const Segment unknown{segment.p, segment.q, false};
+      const float cid = pointCID(field, segment.p, segment.q, samples);
+      for (const float limit : {0.5f * cid, cid, std::nextafter(cid, 9.0f), 2.0f * cid})
+        for (std::size_t first = 0; first <= order.last(); first += 13)
+          for (const Segment& asked : {segment, unknown}) {
+            std::size_t hint = first;
+            const auto found = findCIDAtLeast(field, asked, order, limit, hint);
+            EXPECT_EQ(found.has_value(), cid >= limit);
+            if (found) {
+              EXPECT_GE(*found, limit);
+              EXPECT_LE(*found, cid);
+            }
+            EXPECT_LE(hint, order.last());
+            hint = first;
+            const float bound = boundPointCID(field, asked, order, limit, hint);
+            EXPECT_GE(bound, std::min(cid, limit));
+            hint = first;
+            const float exact = pointCID(field, asked, order, 1e9f, hint);
+            EXPECT_EQ(exact, cid);
+          }
     }
   }
 }

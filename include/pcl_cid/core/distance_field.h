@@ -75,16 +75,6 @@ public:
   float
   distance(const Eigen::Vector3f& x) const;
 
-  /** \brief A point of the surface at distance d(x; S) from x. */
-  struct Foot {
-    float distance;
-    Eigen::Vector3f point;
-  };
-
-  /** \brief d(x; S) with the point that it leads to. */
-  Foot
-  foot(const Eigen::Vector3f& x) const;
-
   /** \brief Certified bounds of d(x; S), without a search. */
   DistanceBounds
   bounds(const Eigen::Vector3f& x) const;
