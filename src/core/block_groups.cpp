@@ -230,7 +230,7 @@ BlockGroups::fallsShort(const Eigen::Vector3f& point,
   for (const Contender& contender : open) {
     if (contender.low >= high)
       break;
-    if (contender.exact)
+    if (contender.settled)
       high = contender.low;
     else if (contender.number >= state.bounded)
       high = std::min(high,
@@ -246,8 +246,9 @@ BlockGroups::fallsShort(const Eigen::Vector3f& point,
 }
 
 /** Compare a point with all seeds that it was not compared with, best first: whoever
- *  has the smallest lower bound is looked at until it is beaten by the next one or is
- *  known to have the smallest CID. */
+ *  has the smallest lower bound is compared with the second smallest, which shows that
+ *  its CID is the smallest of all, or raises its bound.
+ *  \param[in] keep_cid else the winner's CID is left at a lower bound */
 void
 BlockGroups::decide(const Eigen::Vector3f& point,
                     bool keep_cid,
@@ -255,7 +256,7 @@ BlockGroups::decide(const Eigen::Vector3f& point,
                     State& state)
 {
   for (Contender& contender : open)
-    if (!contender.exact)
+    if (!contender.settled)
       contender.low = std::max(contender.low, boundAtHint(contender, point));
   for (;;) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
@@ -265,12 +266,12 @@ BlockGroups::decide(const Eigen::Vector3f& point,
     if (second != open.end())
       limit = first->number < second->number ? std::nextafter(second->low, infinity)
                                              : second->low;
-    if (!first->exact) {
+    if (!first->settled) {
       const float cid = compare(*first, point, limit, keep_cid);
-      first->exact = cid < limit;
+      first->settled = cid < limit;
       first->low = std::max(first->low, cid);
     }
-    if (first->exact) {
+    if (first->settled) {
       state.group = first->number;
       state.cid = state.high = first->low;
       state.decided = static_cast<std::int32_t>(seeds_.size());

@@ -72,7 +72,7 @@ public:
   farthest(ProgressSpan span);
 
   /** \brief Decide every point.
-   *  \param[in] keep_cid also the exact CIDs, which costs about twice as much
+   *  \param[in] keep_cid also the exact CIDs, which costs more
    *  \param[out] proposal its group and, when kept, cid; else cid is empty */
   void
   finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal);
@@ -98,7 +98,7 @@ private:
   struct Contender {
     std::int32_t number; ///< of the seed
     float low;           ///< at most the CID of the two
-    bool exact;          ///< it is the CID
+    bool settled;        ///< it is the CID, or enough is known without it
     Rival* rival;        ///< null for the seed that the point belonged to so far
 
     /** The smaller CID wins; at equal CID the earlier seed. */
