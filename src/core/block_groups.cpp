@@ -10,7 +10,6 @@
 #include "block_groups.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pcl_cid {
@@ -24,6 +23,26 @@ constexpr std::size_t node_levels = 4;
 /** A seed is compared with this many subtrees side by side. */
 constexpr std::size_t most_subtrees = 1024;
 
+/** Whether points are those of the surface, in their order. */
+bool
+areSurface(const Points& points,
+           const DistanceField& field,
+           int threads,
+           Progress& progress)
+{
+  const BlockTree& tree = field.blocks();
+  std::atomic<bool> same{points.size() == field.size()};
+  if (same)
+    parallelFor(tree.size(), 256, threads, progress, {}, [&](auto begin, auto end) {
+      for (std::size_t b = begin; b < end; ++b)
+        for (int row = 0; row < tree.block(b).count; ++row)
+          if (tree.block(b).point(row) !=
+              points[static_cast<std::size_t>(tree.block(b).index[row])])
+            same = false;
+    });
+  return same;
+}
+
 } // namespace
 
 BlockGroups::BlockGroups(const DistanceField& field,
@@ -33,13 +52,12 @@ BlockGroups::BlockGroups(const DistanceField& field,
                          Progress& progress)
 : field_(field)
 , grid_(field.grid())
-, own_tree_(field.isSurface(points)
+, threads_(threadCount(execution.threads))
+, own_tree_(areSurface(points, field, threads_, progress)
                 ? nullptr
-                : std::make_unique<BlockTree>(
-                      points, threadCount(execution.threads), progress))
+                : std::make_unique<BlockTree>(points, threads_, progress))
 , tree_(own_tree_ ? *own_tree_ : field.blocks())
 , order_(samples)
-, threads_(threadCount(execution.threads))
 , progress_(progress)
 , states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0, 0})
 , rivals_(tree_.size())
@@ -47,10 +65,12 @@ BlockGroups::BlockGroups(const DistanceField& field,
 , slot_of_point_(points.size())
 , barred_(states_.size(), 0)
 {
-  for (std::size_t b = 0; b < tree_.size(); ++b)
-    for (int row = 0; row < tree_.block(b).count; ++row)
-      slot_of_point_[static_cast<std::size_t>(tree_.block(b).index[row])] =
-          static_cast<std::int32_t>(slotOf(b, row));
+  parallelFor(tree_.size(), 256, threads_, progress, {}, [&](auto begin, auto end) {
+    for (std::size_t b = begin; b < end; ++b)
+      for (int row = 0; row < tree_.block(b).count; ++row)
+        slot_of_point_[static_cast<std::size_t>(tree_.block(b).index[row])] =
+            static_cast<std::int32_t>(slotOf(b, row));
+  });
 }
 
 void
@@ -87,7 +107,9 @@ BlockGroups::addSeed(pcl::index_t seed, ProgressSpan span)
   const Eigen::Vector3f s =
       tree_.position(slot_of_point_[static_cast<std::size_t>(seed)]);
   seeds_.push_back(s);
-  const std::size_t subtrees = std::min(tree_.size(), most_subtrees);
+  std::size_t subtrees = 1;
+  while (2 * subtrees <= std::min(tree_.size(), most_subtrees))
+    subtrees *= 2;
   parallelFor(
       subtrees, 1, threads_, progress_, span, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
@@ -197,119 +219,6 @@ BlockGroups::updateAbove(std::size_t node)
       return;
     upper_[node] = upper;
   }
-}
-
-/** The seeds that a point may belong to: the best of those that it was compared with,
- *  and the rivals since. */
-std::vector<BlockGroups::Contender>&
-BlockGroups::contenders(std::size_t b, const State& state)
-{
-  thread_local std::vector<Contender> contenders;
-  contenders.clear();
-  float high = state.high;
-  for (const Rival& rival : rivals_[b])
-    high = std::min(high, rival.high);
-  if (state.group >= 0 && state.cid <= high)
-    contenders.push_back({state.group, state.cid, true, nullptr});
-  for (Rival& rival : rivals_[b])
-    if (rival.number >= state.decided && rival.low <= high)
-      contenders.push_back({rival.number, rival.low, false, &rival});
-  return contenders;
-}
-
-/** Whether some seed brings D_min of a point below a floor; its upper bound then takes
- *  all seeds into account. */
-bool
-BlockGroups::fallsShort(const Eigen::Vector3f& point,
-                        float floor,
-                        std::vector<Contender>& open,
-                        State& state)
-{
-  std::sort(open.begin(), open.end());
-  float high = floor;
-  for (const Contender& contender : open) {
-    if (contender.low >= high)
-      break;
-    if (contender.settled)
-      high = contender.low;
-    else if (contender.number >= state.bounded)
-      high = std::min(high,
-                      boundPointCID(field_,
-                                    segmentTo(contender, point),
-                                    order_,
-                                    high,
-                                    contender.rival->hint));
-  }
-  state.bounded = static_cast<std::int32_t>(seeds_.size());
-  state.high = std::min(state.high, high);
-  return high < floor;
-}
-
-/** Compare a point with all seeds that it was not compared with, best first: whoever
- *  has the smallest lower bound is compared with the second smallest, which shows that
- *  its CID is the smallest of all, or raises its bound.
- *  \param[in] keep_cid else the winner's CID is left at a lower bound */
-void
-BlockGroups::decide(const Eigen::Vector3f& point,
-                    bool keep_cid,
-                    std::vector<Contender>& open,
-                    State& state)
-{
-  for (Contender& contender : open)
-    if (!contender.settled)
-      contender.low = std::max(contender.low, boundAtHint(contender, point));
-  for (;;) {
-    std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
-    const auto first = open.begin();
-    const auto second = std::min_element(open.begin() + 1, open.end());
-    float limit = infinity; // from here on the second one is the better
-    if (second != open.end())
-      limit = first->number < second->number ? std::nextafter(second->low, infinity)
-                                             : second->low;
-    if (!first->settled) {
-      const float cid = compare(*first, point, limit, keep_cid);
-      first->settled = cid < limit;
-      first->low = std::max(first->low, cid);
-    }
-    if (first->settled) {
-      state.group = first->number;
-      state.cid = state.high = first->low;
-      state.decided = static_cast<std::int32_t>(seeds_.size());
-      return;
-    }
-  }
-}
-
-Segment
-BlockGroups::segmentTo(const Contender& contender, const Eigen::Vector3f& point) const
-{
-  return {seeds_[static_cast<std::size_t>(contender.number)], point, !own_tree_};
-}
-
-/** A lower bound of the CID to a contender, from one look. */
-float
-BlockGroups::boundAtHint(const Contender& contender, const Eigen::Vector3f& point) const
-{
-  const SegmentSamples samples(
-      seeds_[static_cast<std::size_t>(contender.number)], point, order_.samples());
-  return grid_.bounds(samples.at(contender.rival->hint)).low - samples.slack;
-}
-
-/** The CID to a contender, or a lower bound of it that is at least \a limit; without \a
- *  keep_cid, 0 for a CID below the limit. */
-float
-BlockGroups::compare(const Contender& contender,
-                     const Eigen::Vector3f& point,
-                     float limit,
-                     bool keep_cid) const
-{
-  const Segment segment = segmentTo(contender, point);
-  std::size_t& hint = contender.rival->hint;
-  if (keep_cid)
-    return pointCID(field_, segment, order_, limit, hint);
-  if (limit == infinity)
-    return 0.0f;
-  return findCIDAtLeast(field_, segment, order_, limit, hint).value_or(0.0f);
 }
 
 /** A point cannot come nearer to any seed than CID_p(p, p) = d(p; S), which is 0 for

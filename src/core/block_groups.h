@@ -157,6 +157,9 @@ private:
          std::vector<Contender>& open,
          State& state);
 
+  static float
+  limitFor(const Contender& first, const std::vector<Contender>& open, bool any);
+
   bool
   gains(std::size_t block, int row) const;
 
@@ -171,10 +174,10 @@ private:
 
   const DistanceField& field_;
   const DistanceGrid& grid_;
+  int threads_;
   std::unique_ptr<BlockTree> own_tree_; ///< of points that are not the surface
   const BlockTree& tree_;
   SampleOrder order_;
-  int threads_;
   Progress& progress_;
   Points seeds_;
   std::vector<State> states_;              ///< by slot

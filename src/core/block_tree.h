@@ -25,9 +25,8 @@
 
 namespace pcl_cid {
 
-/** \brief Eight to sixteen points that lie next to each other, as columns x, y, z.
- *  Unused rows repeat the last point, so a minimum over all rows is one over the
- *  points. */
+/** \brief Up to sixteen points that lie next to each other, as columns x, y, z. Unused
+ *  rows repeat the last point, so a minimum over all rows is one over the points. */
 struct alignas(16) PointBlock {
   static constexpr int capacity = 16;
 
@@ -82,11 +81,12 @@ struct PointBox {
 };
 
 /** \brief A complete binary tree over blocks of points: node 1 is the root, the
- *  children of node n are 2n and 2n + 1, and the blocks are the last level from left to
- *  right.
+ *  children of node n are 2n and 2n + 1, and nodes size() to 2 size() - 1 are the
+ *  blocks, on the last level and, unless their number is a power of two, the one above.
  *
- *  Each node is split at the median of its widest side, equal coordinates by index, so
- *  the tree is the same on every machine and for every number of threads. */
+ *  Each node is split at its widest side so that all blocks get the same number of
+ *  points, but for one, equal coordinates by index: the tree is the same on every
+ *  machine and for every number of threads. */
 class BlockTree {
 public:
   /** \param[in] points finite, at least 1
@@ -94,7 +94,7 @@ public:
    *  \param[in,out] progress asked for cancellation */
   BlockTree(const Points& points, int threads, Progress& progress);
 
-  /** \brief Number of blocks, a power of two. */
+  /** \brief Number of blocks: as few as hold the points. */
   std::size_t
   size() const
   {
@@ -174,6 +174,19 @@ public:
   }
 
 private:
+  /** Place of a node that is a block, from left to right: those of the last level come
+   *  before those above. */
+  std::size_t
+  leafOf(std::size_t node) const;
+
+  /** Leftmost of the blocks below a node. */
+  std::size_t
+  firstLeaf(std::size_t node) const;
+
+  /** One past the rightmost. */
+  std::size_t
+  endLeaf(std::size_t node) const;
+
   std::vector<PointBlock> blocks_;
   Points positions_; ///< one beside the other, for one look at a time
   std::vector<PointBox> boxes_;

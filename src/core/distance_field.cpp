@@ -128,17 +128,4 @@ DistanceField::nearest(const Eigen::Vector3f& x) const
   return index[0];
 }
 
-bool
-DistanceField::isSurface(const Points& points) const
-{
-  if (points.size() != size_)
-    return false;
-  for (std::size_t b = 0; b < tree_->size(); ++b)
-    for (int row = 0; row < tree_->block(b).count; ++row)
-      if (tree_->block(b).point(row) !=
-          points[static_cast<std::size_t>(tree_->block(b).index[row])])
-        return false;
-  return true;
-}
-
 } // namespace pcl_cid

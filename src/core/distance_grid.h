@@ -218,7 +218,7 @@ private:
   divideWhole() const;
 
   void
-  growPiece(const Region& region, std::size_t budget);
+  growPiece(const Region& region, std::size_t budget, Progress& progress);
 
   void
   grow(const Region& region, SharedList& whole, Growth& growth) const;

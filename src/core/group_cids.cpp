@@ -19,13 +19,20 @@
 namespace pcl_cid {
 namespace {
 
-/** Levels of samples that a lower bound of the CID of a pair looks at. */
-constexpr std::size_t bound_levels = 3;
-
-/** The share of the progress that the bounds take. */
-constexpr double bounds_share = 0.2;
+/** The share of the progress that the rough bounds take. */
+constexpr double bounds_share = 0.05;
 
 } // namespace
+
+/** How a lower bound of the CID of two points is found. */
+struct GroupCIDs::Effort {
+  std::size_t levels;     ///< of samples with a look-up each
+  bool exact_at_farthest; ///< whether the best of them is evaluated
+};
+
+/** The middle shows that most groups are far from each other. */
+constexpr GroupCIDs::Effort GroupCIDs::rough = {1, false};
+constexpr GroupCIDs::Effort GroupCIDs::good = {4, true};
 
 GroupCIDs::GroupCIDs(const DistanceField& field,
                      std::vector<Points> drawn,
@@ -37,7 +44,7 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
 , threads_(threadCount(options.execution.threads))
 , progress_(progress)
 , values_(drawn_.size() * drawn_.size(), 0.0)
-, exact_(values_.size(), 0)
+, known_(values_.size(), Known::roughly)
 {
   parallelFor(drawn_.size(),
               1,
@@ -47,12 +54,12 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
               [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
                   for (std::size_t j = i + 1; j < drawn_.size(); ++j)
-                    values_[place({i, j})] = lowerBound({i, j});
+                    values_[place({i, j})] = lowerBound({i, j}, rough);
               });
 }
 
 void
-GroupCIDs::makeExact(const std::vector<Pair>& pairs)
+GroupCIDs::tighten(const std::vector<Pair>& pairs)
 {
   parallelFor(pairs.size(),
               1,
@@ -60,43 +67,64 @@ GroupCIDs::makeExact(const std::vector<Pair>& pairs)
               progress_,
               share(),
               [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) {
-                  const Pair pair = pairs[k];
-                  values_[place(pair)] = groupCID(
-                      field_, drawn_[pair.i], drawn_[pair.j], order_.samples());
-                  exact_[place(pair)] = 1;
-                }
+                for (std::size_t k = begin; k < end; ++k)
+                  tighten(pairs[k]);
               });
-  made_exact_ += pairs.size();
+  tightened_ += pairs.size();
 }
 
-/** Eq. 3 with, for each pair of points, the largest certified lower bound of d at some
- *  samples. Summed in the same order as the exact value, which rounding then keeps
- * above it. */
-double
-GroupCIDs::lowerBound(Pair pair) const
+void
+GroupCIDs::tighten(Pair pair)
 {
-  const DistanceGrid& grid = field_.grid();
+  double& value = values_[place(pair)];
+  Known& known = known_[place(pair)];
+  if (known == Known::roughly) {
+    value = lowerBound(pair, good);
+    known = Known::well;
+    return;
+  }
+  value = groupCID(field_, drawn_[pair.i], drawn_[pair.j], order_.samples());
+  known = Known::exactly;
+}
+
+/** Eq. 3 with, for each pair of points, a certified lower bound of d at a sample that
+ *  is far from the surface. Summed in the same order as the exact value, which rounding
+ *  then keeps above it. */
+double
+GroupCIDs::lowerBound(Pair pair, const Effort& effort) const
+{
   double sum = 0.0;
   for (const Eigen::Vector3f& p : drawn_[pair.i])
-    for (const Eigen::Vector3f& q : drawn_[pair.j]) {
-      const SegmentSamples segment(p, q, order_.samples());
-      float low = 0.0f;
-      for (std::size_t k = 0; k < std::min(order_.levels().size(), bound_levels); ++k)
-        for (const SampleOrder::Entry& entry : order_.levels()[k])
-          low = std::max(low, grid.bounds(segment.at(entry.sample)).low);
-      sum += std::max(low - segment.slack, 0.0f);
-    }
+    for (const Eigen::Vector3f& q : drawn_[pair.j])
+      sum += lowerBound(SegmentSamples(p, q, order_.samples()), effort);
   return sum / (static_cast<double>(drawn_[pair.i].size()) *
                 static_cast<double>(drawn_[pair.j].size()));
 }
 
-/** Where the progress stands, if all pairs were to be made exact. */
+float
+GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
+{
+  float largest = 0.0f;
+  std::size_t farthest = order_.last() / 2;
+  for (std::size_t k = 0; k < std::min(order_.levels().size(), effort.levels); ++k)
+    for (const SampleOrder::Entry& entry : order_.levels()[k]) {
+      const float low = field_.grid().bounds(segment.at(entry.sample)).low;
+      if (low > largest) {
+        largest = low;
+        farthest = entry.sample;
+      }
+    }
+  if (effort.exact_at_farthest)
+    largest = std::max(largest, field_.distance(segment.at(farthest)));
+  return std::max(largest - segment.slack, 0.0f);
+}
+
+/** Where the progress stands, if all pairs were to be made exact: two steps each. */
 ProgressSpan
 GroupCIDs::share() const
 {
-  const double all = 0.5 * static_cast<double>(drawn_.size() * drawn_.size());
-  const double done = static_cast<double>(made_exact_) / all;
+  const auto all = static_cast<double>(drawn_.size() * drawn_.size());
+  const double done = static_cast<double>(tightened_) / all;
   const double fraction = bounds_share + (1.0 - bounds_share) * std::min(done, 1.0);
   return {fraction, fraction};
 }

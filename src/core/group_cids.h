@@ -19,8 +19,8 @@
 
 namespace pcl_cid {
 
-/** \brief CID_g of the groups that Algorithm 2 begins with: certified lower bounds for
- * all pairs, exact values for those that are asked for. */
+/** \brief CID_g of the groups that Algorithm 2 begins with: rough lower bounds for all
+ *  pairs, then, for those that are asked for, better ones and at last exact values. */
 class GroupCIDs {
 public:
   struct Pair {
@@ -37,7 +37,7 @@ public:
   bool
   isExact(Pair pair) const
   {
-    return exact_[place(pair)] != 0;
+    return known_[place(pair)] == Known::exactly;
   }
 
   /** \brief CID_g or, while it is not exact, a lower bound of it. */
@@ -47,19 +47,32 @@ public:
     return values_[place(pair)];
   }
 
-  /** \brief "D[G_i, G_j] <- CID_g(G_i, G_j | S)" of Algorithm 2, for some pairs. */
+  /** \brief Get closer to "D[G_i, G_j] <- CID_g(G_i, G_j | S)" of Algorithm 2, for some
+   *  pairs: a better bound, or the exact value after that. */
   void
-  makeExact(const std::vector<Pair>& pairs);
+  tighten(const std::vector<Pair>& pairs);
 
 private:
+  enum class Known : std::uint8_t { roughly, well, exactly };
+
   std::size_t
   place(Pair pair) const
   {
     return pair.i * drawn_.size() + pair.j;
   }
 
+  void
+  tighten(Pair pair);
+
+  struct Effort;
+  static const Effort rough;
+  static const Effort good;
+
   double
-  lowerBound(Pair pair) const;
+  lowerBound(Pair pair, const Effort& effort) const;
+
+  float
+  lowerBound(const SegmentSamples& segment, const Effort& effort) const;
 
   ProgressSpan
   share() const;
@@ -70,8 +83,8 @@ private:
   int threads_;
   Progress& progress_;
   std::vector<double> values_;
-  std::vector<std::uint8_t> exact_;
-  std::size_t made_exact_ = 0;
+  std::vector<Known> known_;
+  std::size_t tightened_ = 0;
 };
 
 } // namespace pcl_cid

@@ -71,10 +71,11 @@ drawFromGroups(const Points& points,
   return drawn;
 }
 
-/** Pairs whose CID_g is computed side by side, when the next merge depends on one. */
+/** Pairs of groups that are worked on side by side, when the next merge depends on one.
+ */
 constexpr std::size_t most_at_once = 16;
 
-/** Average linkage on values of which most are lower bounds: a value is made exact only
+/** Average linkage on values of which most are lower bounds: a value is tightened only
  *  when it is the smallest, so the merges are those of the exact matrix.
  *
  *  Clusters 0 .. K - 1 are the groups; each merge makes a new one. */
@@ -89,7 +90,7 @@ public:
     }
     for (std::size_t i = 0; i < sizes.size(); ++i)
       for (std::size_t j = i + 1; j < sizes.size(); ++j) {
-        known(i, j) = {cids_.value({i, j}), cids_.isExact({i, j})};
+        known(i, j) = fromGroups(i, j);
         push(i, j);
       }
   }
@@ -150,32 +151,31 @@ private:
 
   /** CID_g to the union of two clusters is the mean of the CID_g to each, weighted with
    *  their sizes (Lance-Williams for Eq. 3). */
-  double
+  Linkage
   toUnion(std::size_t first,
-          double to_first,
+          const Linkage& to_first,
           std::size_t second,
-          double to_second) const
+          const Linkage& to_second) const
   {
     const auto weight_first = static_cast<double>(clusters_[first].size);
     const auto weight_second = static_cast<double>(clusters_[second].size);
-    return (weight_first * to_first + weight_second * to_second) /
-           (weight_first + weight_second);
+    return {(weight_first * to_first.value + weight_second * to_second.value) /
+                (weight_first + weight_second),
+            to_first.exact && to_second.exact};
   }
 
   /** CID_g of two clusters from that of all pairs of their groups. The cluster that was
    *  made last is taken apart first: the order in which the merges added them up. */
-  double
-  exactLinkage(std::size_t a, std::size_t b) const
+  Linkage
+  fromGroups(std::size_t a, std::size_t b) const
   {
     if (a < b)
       std::swap(a, b);
     const Cluster& made = clusters_[a];
     if (made.first == none)
-      return cids_.value({b, a});
-    return toUnion(made.first,
-                   exactLinkage(made.first, b),
-                   made.second,
-                   exactLinkage(made.second, b));
+      return {cids_.value({b, a}), cids_.isExact({b, a})};
+    return toUnion(
+        made.first, fromGroups(made.first, b), made.second, fromGroups(made.second, b));
   }
 
   /** The pairs of groups below two clusters whose CID_g is not known. */
@@ -229,9 +229,9 @@ private:
         queue_.pop();
         return closest;
       }
-      cids_.makeExact(unknown);
+      cids_.tighten(unknown);
       for (const Entry& entry : bounds) {
-        known(entry.a, entry.b) = {exactLinkage(entry.a, entry.b), true};
+        known(entry.a, entry.b) = fromGroups(entry.a, entry.b);
         push(entry.a, entry.b);
       }
     }
@@ -253,10 +253,8 @@ private:
                                 [&](std::size_t c) { return !clusters_[c].alive; }),
                  alive_.end());
     for (const std::size_t other : alive_) {
-      const Linkage to_first = known(first, other);
-      const Linkage to_second = known(second, other);
-      known(made, other) = {toUnion(first, to_first.value, second, to_second.value),
-                            to_first.exact && to_second.exact};
+      known(made, other) =
+          toUnion(first, known(first, other), second, known(second, other));
       push(made, other);
     }
     alive_.push_back(made);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 namespace pcl_cid {
@@ -44,6 +45,18 @@ public:
       cancelled_ = true;
   }
 
+  /** \brief From inside of a long step, on any thread: report that the work goes on,
+   *  and leave it when it was cancelled.
+   *  \throws CIDCancelled */
+  void
+  poll()
+  {
+    if (std::this_thread::get_id() == reporter_)
+      report(highest_);
+    if (cancelled_)
+      throw CIDCancelled();
+  }
+
   bool
   cancelled() const
   {
@@ -64,6 +77,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   ProgressCallback callback_;
+  std::thread::id reporter_ = std::this_thread::get_id();
   std::atomic<bool> cancelled_{false};
   bool told_once_ = false;
   Clock::time_point told_;

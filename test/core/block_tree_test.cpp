@@ -58,6 +58,29 @@ TEST_P(BlockTreeOfClouds, HoldsEveryPointOnceInSmallBlocks)
   EXPECT_EQ(times, std::vector<int>(points.size(), 1));
 }
 
+TEST(BlockTree, HasAsFewBlocksAsPossibleEquallyFilledForEverySize)
+{
+  for (std::size_t size = 1; size <= 300; ++size) {
+    const BlockTree tree = treeOf(randomCube(size, 123));
+    ASSERT_EQ(tree.size(),
+              (size + PointBlock::capacity - 1) / std::size_t{PointBlock::capacity});
+    for (std::size_t b = 0; b < tree.size(); ++b) {
+      const auto count = static_cast<std::size_t>(tree.block(b).count);
+      EXPECT_GE(count, size / tree.size());
+      EXPECT_LE(count, size / tree.size() + 1);
+    }
+  }
+}
+
+TEST(BlockTree, SplitsLongRangesAtTheMedian)
+{
+  Points points = randomCube(600001, 124); // longer than what is split in one go
+  for (Eigen::Vector3f& p : points)
+    p.x() *= 3.0f;
+  const BlockTree tree = treeOf(points);
+  EXPECT_LE(tree.box(2).high.x(), tree.box(3).low.x());
+}
+
 TEST_P(BlockTreeOfClouds, BoxesHoldWhatIsBelowThem)
 {
   const BlockTree tree = treeOf(GetParam().points);

@@ -92,5 +92,21 @@ TEST(ParallelFor, ReportsFromTheCallingThreadOnlyAndCancels)
   }
 }
 
+TEST(ParallelFor, LongBodiesCancelFromInside)
+{
+  const auto caller = std::this_thread::get_id();
+  for (const int threads : {1, 2, 3}) {
+    Progress progress([&](double) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      return false;
+    });
+    const auto body = [&](auto, auto) {
+      for (;;) // ends by the cancel alone
+        progress.poll();
+    };
+    EXPECT_THROW(parallelFor(4, 1, threads, progress, whole, body), CIDCancelled);
+  }
+}
+
 } // namespace
 } // namespace pcl_cid::test

@@ -90,10 +90,6 @@ public:
     return size_;
   }
 
-  /** \brief Whether these are the points of the surface, in their order. */
-  bool
-  isSurface(const Points& points) const;
-
   /** \brief The surface in blocks of neighbours. */
   const BlockTree&
   blocks() const

@@ -1,0 +1,155 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The nearest seed of one point, among those that its block could not tell apart.
+ */
+
+#include "block_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_cid {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/** More contenders than this are many. */
+constexpr std::size_t few_contenders = 8;
+
+} // namespace
+
+/** The seeds that a point may belong to: the best of those that it was compared with,
+ *  and the rivals since. */
+std::vector<BlockGroups::Contender>&
+BlockGroups::contenders(std::size_t b, const State& state)
+{
+  thread_local std::vector<Contender> contenders;
+  contenders.clear();
+  float high = state.high;
+  for (const Rival& rival : rivals_[b])
+    high = std::min(high, rival.high);
+  if (state.group >= 0 && state.cid <= high)
+    contenders.push_back({state.group, state.cid, true, nullptr});
+  for (Rival& rival : rivals_[b])
+    if (rival.number >= state.decided && rival.low <= high)
+      contenders.push_back({rival.number, rival.low, false, &rival});
+  return contenders;
+}
+
+/** Whether some seed brings D_min of a point below a floor; its upper bound then takes
+ *  all seeds into account. */
+bool
+BlockGroups::fallsShort(const Eigen::Vector3f& point,
+                        float floor,
+                        std::vector<Contender>& open,
+                        State& state)
+{
+  std::sort(open.begin(), open.end());
+  float high = floor;
+  for (const Contender& contender : open) {
+    if (contender.low >= high)
+      break;
+    if (contender.settled)
+      high = contender.low;
+    else if (contender.number >= state.bounded)
+      high = std::min(high,
+                      boundPointCID(field_,
+                                    segmentTo(contender, point),
+                                    order_,
+                                    high,
+                                    contender.rival->hint));
+  }
+  state.bounded = static_cast<std::int32_t>(seeds_.size());
+  state.high = std::min(state.high, high);
+  return high < floor;
+}
+
+/** Compare a point with all seeds that it was not compared with, best first. Of a few,
+ *  whoever has the smallest lower bound is compared with the second smallest, which
+ *  shows that its CID is the smallest of all, or raises its bound. Of many, that would
+ *  raise bounds by little: when CIDs are wanted anyway, they are compared with the
+ *  smallest so far.
+ *  \param[in] keep_cid else the winner's CID is left at a lower bound */
+void
+BlockGroups::decide(const Eigen::Vector3f& point,
+                    bool keep_cid,
+                    std::vector<Contender>& open,
+                    State& state)
+{
+  for (Contender& contender : open)
+    if (!contender.settled)
+      contender.low = std::max(contender.low, boundAtHint(contender, point));
+  const bool few = open.size() <= few_contenders || !keep_cid;
+  for (;;) {
+    std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
+    Contender& first = open.front();
+    if (!first.settled) {
+      const float limit = limitFor(first, open, few);
+      const float cid = compare(first, point, limit, keep_cid);
+      first.settled = cid < limit;
+      first.low = std::max(first.low, cid);
+    }
+    const bool still_first = std::min_element(open.begin(), open.end()) == open.begin();
+    if (first.settled && still_first) {
+      state.group = first.number;
+      state.cid = state.high = first.low;
+      state.decided = static_cast<std::int32_t>(seeds_.size());
+      return;
+    }
+  }
+}
+
+/** From which CID on another contender is better than the first one.
+ *  \param[in] any also those of which only a lower bound is known */
+float
+BlockGroups::limitFor(const Contender& first,
+                      const std::vector<Contender>& open,
+                      bool any)
+{
+  const Contender* best = nullptr;
+  for (const Contender& other : open)
+    if (&other != &first && (any || other.settled) && (!best || other < *best))
+      best = &other;
+  if (!best)
+    return infinity;
+  return first.number < best->number ? std::nextafter(best->low, infinity) : best->low;
+}
+
+Segment
+BlockGroups::segmentTo(const Contender& contender, const Eigen::Vector3f& point) const
+{
+  return {seeds_[static_cast<std::size_t>(contender.number)], point, !own_tree_};
+}
+
+/** A lower bound of the CID to a contender, from one look. */
+float
+BlockGroups::boundAtHint(const Contender& contender, const Eigen::Vector3f& point) const
+{
+  const SegmentSamples samples(
+      seeds_[static_cast<std::size_t>(contender.number)], point, order_.samples());
+  return grid_.bounds(samples.at(contender.rival->hint)).low - samples.slack;
+}
+
+/** The CID to a contender, or a lower bound of it that is at least \a limit; without \a
+ *  keep_cid, 0 for a CID below the limit. */
+float
+BlockGroups::compare(const Contender& contender,
+                     const Eigen::Vector3f& point,
+                     float limit,
+                     bool keep_cid) const
+{
+  const Segment segment = segmentTo(contender, point);
+  std::size_t& hint = contender.rival->hint;
+  if (keep_cid)
+    return pointCID(field_, segment, order_, limit, hint);
+  if (limit == infinity)
+    return 0.0f;
+  return findCIDAtLeast(field_, segment, order_, limit, hint).value_or(0.0f);
+}
+
+} // namespace pcl_cid
