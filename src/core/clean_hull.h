@@ -1,0 +1,41 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Convex hulls without degenerate triangles.
+ */
+
+#pragma once
+
+#include "principal_box.h"
+
+#include <pcl_cid/core/convex_part.h>
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pcl_cid {
+
+/** \brief Share of the diagonal that a triangle is high at least. */
+constexpr double least_triangle_height = 1e-6;
+
+/** \brief The hull of points that fill space, closed, with no triangle lower than
+ *  least_triangle_height.
+ *
+ *  A vertex that makes a lower one lies all but on the line through two others, and is
+ *  left out. The hull then misses points by about that much; by no more than half of
+ *  hull_tolerance, or there is no hull.
+ *  \return no triangles when there is no such hull */
+TriangleMesh
+convexHull(const std::vector<Eigen::Vector3d>& points);
+
+/** \brief A box with its 8 corners, or, when these are too many, a tetrahedron about
+ * it. \param[in] box of extents above 0 \param[in] max_vertices 0 for any number, or at
+ * least 4 */
+TriangleMesh
+boxMesh(const PrincipalBox& box, std::size_t max_vertices);
+
+} // namespace pcl_cid

@@ -1,0 +1,151 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Hulls for tests: made in one call, and held to what they promise.
+ */
+
+#include "hulls.h"
+
+#include <pcl_cid/core/hull_guarantees.h>
+#include <pcl_cid/core/random.h>
+#include <pcl_cid/core/seed_proposal.h>
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+namespace pcl_cid::test {
+namespace {
+
+pcl::Indices
+countTo(std::size_t count)
+{
+  pcl::Indices indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+/** 0 to 1. */
+double
+uniform(RandomGenerator& generator)
+{
+  constexpr std::uint64_t steps = 1u << 24;
+  return static_cast<double>(drawBelow(generator, steps)) / static_cast<double>(steps);
+}
+
+Eigen::Vector3d
+uniformVector(RandomGenerator& generator)
+{
+  const double x = uniform(generator);
+  const double y = uniform(generator);
+  const double z = uniform(generator);
+  return {x, y, z};
+}
+
+/** How far a cloud of size 1 reaches along an axis: not at all, a bit, or fully. */
+double
+randomExtent(RandomGenerator& generator)
+{
+  const double kind = uniform(generator);
+  if (kind < 0.3)
+    return 0.0;
+  return kind < 0.7 ? std::pow(10.0, -7.0 * uniform(generator)) : 1.0;
+}
+
+Eigen::Quaterniond
+randomRotation(RandomGenerator& generator)
+{
+  const Eigen::Vector3d axis =
+      uniformVector(generator) - Eigen::Vector3d::Constant(0.5);
+  const bool turned = uniform(generator) < 0.7;
+  return turned ? Eigen::Quaterniond(
+                      Eigen::AngleAxisd(axis.norm() * 6.0, axis.normalized()))
+                : Eigen::Quaterniond::Identity();
+}
+
+} // namespace
+
+PointSet
+pointSet(const Points& points)
+{
+  return PointSet(points, countTo(points.size()));
+}
+
+ConvexPart
+partOf(const Points& points, const ConvexPartOptions& options)
+{
+  const PointSet set = pointSet(points);
+  return makeConvexPart(set, countTo(set.size()), options);
+}
+
+std::vector<Eigen::Vector3d>
+inDouble(const Points& points)
+{
+  std::vector<Eigen::Vector3d> result;
+  for (const Eigen::Vector3f& p : points)
+    result.push_back(p.cast<double>());
+  return result;
+}
+
+void
+expectGuarantees(const ConvexPart& part,
+                 const Points& points,
+                 const ConvexPartOptions& options,
+                 const std::string& what)
+{
+  std::vector<Eigen::Vector3d> contained;
+  for (const pcl::index_t index : part.indices)
+    contained.push_back(points[static_cast<std::size_t>(index)].cast<double>());
+  const auto broken = findBrokenGuarantee(part.hull, contained, options);
+  EXPECT_FALSE(broken) << what << ": " << *broken;
+  EXPECT_FALSE(part.boxed) << what;
+  EXPECT_GT(part.volume, 0.0) << what;
+  EXPECT_GE(part.thickness, options.min_thickness * (1.0 - hull_tolerance)) << what;
+  // A ball of radius r, w / (2 sqrt 3) <= r <= w / 2 for a least width w (Steinhagen),
+  // fits in, and A r / 3 <= V <= A r for an area A.
+  const double flat_volume = part.area * part.thickness / 2.0;
+  EXPECT_LE(part.volume, flat_volume * (1.0 + 1e-9)) << what;
+  EXPECT_GE(part.volume, flat_volume / (3.0 * std::sqrt(3.0)) * (1.0 - 1e-9)) << what;
+}
+
+Points
+randomSmallCloud(std::uint64_t seed)
+{
+  RandomGenerator generator(seed);
+  const std::size_t count = 1 + drawBelow(generator, 60);
+  const double scale = std::pow(10.0, -3.0 + 6.0 * uniform(generator));
+  Eigen::Vector3d extents;
+  for (double& extent : extents)
+    extent = scale * randomExtent(generator);
+  const Eigen::Quaterniond rotation = randomRotation(generator);
+  const bool is_far = uniform(generator) < 0.5;
+  const double offset = is_far ? scale * std::pow(10.0, 4.0 * uniform(generator)) : 0.0;
+  const bool on_grid = uniform(generator) < 0.25;
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    Eigen::Vector3d p = uniformVector(generator);
+    if (on_grid)
+      p = (3.0 * p).array().round() / 3.0;
+    p = rotation * p.cwiseProduct(extents) + Eigen::Vector3d::Constant(offset);
+    points.push_back(p.cast<float>());
+  }
+  return points;
+}
+
+std::vector<int>
+groupsOf(const Points& points, std::size_t groups)
+{
+  SeedProposalOptions options;
+  options.seeds = groups;
+  options.keep_cid = false;
+  const SeedProposal proposal = proposeSeeds(DistanceField(points), points, 0, options);
+  return {proposal.group.begin(), proposal.group.end()};
+}
+
+} // namespace pcl_cid::test
