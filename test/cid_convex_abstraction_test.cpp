@@ -8,6 +8,7 @@
  */
 
 #include "clouds.h"
+#include "hulls.h"
 #include "oracle.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
@@ -224,6 +225,31 @@ TEST(CIDConvexAbstraction, ProgressRisesOverAllSteps)
   EXPECT_TRUE(parts.empty());
 }
 
+TEST(CIDConvexAbstraction, HullsFollowTheirSettings)
+{
+  Points points = twoBoxes(600, 110);
+  points[41] = Eigen::Vector3f(0.5f, 0.5f, 3.0f); // far above the first box
+  Abstraction abstraction = abstractionFor(toCloud(points));
+  abstraction.setNumberOfSeeds(1);
+  abstraction.setMinThickness(0.02);
+  abstraction.setMaxVertices(20);
+  abstraction.setPadding(0.1);
+  abstraction.setTrimDistance(1.9); // the boxes are 1.5 apart
+  EXPECT_EQ(abstraction.getMaxVertices(), 20);
+  EXPECT_EQ(abstraction.getPadding(), 0.1);
+  EXPECT_EQ(abstraction.getTrimDistance(), 1.9);
+  std::vector<ConvexPart> parts;
+  abstraction.reconstruct(parts);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].trimmed, pcl::Indices{41});
+  EXPECT_EQ(parts[0].indices.size(), 599u);
+  ConvexPartOptions options;
+  options.min_thickness = 0.02;
+  options.max_vertices = 20;
+  options.padding = 0.1;
+  expectGuarantees(parts[0], points, options, "two boxes");
+}
+
 TEST(CIDConvexAbstraction, RefusesBadValues)
 {
   Abstraction abstraction = abstractionFor(toCloud(randomCube(60, 109)));
@@ -235,6 +261,17 @@ TEST(CIDConvexAbstraction, RefusesBadValues)
   EXPECT_THROW(abstraction.setGroupSampleSize(0), CIDException);
   for (const double thickness : {0.0, -1.0, static_cast<double>(NAN)})
     EXPECT_THROW(abstraction.setMinThickness(thickness), CIDException);
+  for (const int vertices : {-1, 1, 2, 3})
+    EXPECT_THROW(abstraction.setMaxVertices(vertices), CIDException);
+  for (const double distance :
+       {-1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+    EXPECT_THROW(abstraction.setPadding(distance), CIDException);
+    EXPECT_THROW(abstraction.setTrimDistance(distance), CIDException);
+  }
+  EXPECT_EQ(abstraction.getMinThickness(), 0.005);
+  EXPECT_EQ(abstraction.getMaxVertices(), 0);
+  EXPECT_EQ(abstraction.getPadding(), 0.0);
+  EXPECT_EQ(abstraction.getTrimDistance(), 0.0);
   std::vector<ConvexPart> parts;
   EXPECT_THROW(abstraction.reconstruct({0, 0, 0}, parts), CIDException)
       << "nothing was computed yet";

@@ -96,6 +96,40 @@ public:
     return hull_options_.min_thickness;
   }
 
+  /** \brief Most vertices of a hull (see ConvexPartOptions): at least 4, or 0, the
+   *  default, for any number. */
+  void
+  setMaxVertices(int max_vertices);
+
+  int
+  getMaxVertices() const
+  {
+    return static_cast<int>(hull_options_.max_vertices);
+  }
+
+  /** \brief How far hulls reach beyond what they need to (see ConvexPartOptions):
+   *  metres, 0 or more; default 0. */
+  void
+  setPadding(double padding);
+
+  double
+  getPadding() const
+  {
+    return hull_options_.padding;
+  }
+
+  /** \brief Leave stray points out of the hulls: those that no links of at most this
+   *  length join to the bulk of their part (see ConvexPartOptions). Metres; 0, the
+   *  default, trims nothing. */
+  void
+  setTrimDistance(double trim_distance);
+
+  double
+  getTrimDistance() const
+  {
+    return hull_options_.trim_distance;
+  }
+
   /** \brief The points of each part.
    *  \param[out] parts indices of the input cloud, ascending within a part
    *  \throws CIDException, CIDCancelled */
@@ -103,7 +137,8 @@ public:
   segment(std::vector<pcl::PointIndices>& parts);
 
   /** \brief The parts and their hulls.
-   *  \param[out] parts as from segment(), each with its hull */
+   *  \param[out] parts as from segment(), each with its hull; what was trimmed from a
+   *  part is listed in it apart */
   void
   reconstruct(std::vector<ConvexPart>& parts);
 
@@ -140,6 +175,10 @@ private:
   /** \brief The part of each point of the input cloud, -1 for none. */
   std::vector<int>
   partOfEachPoint(const std::vector<int>& cut) const;
+
+  /** \brief Take over options of hulls, unless one is out of its range. */
+  void
+  setHullOptions(const ConvexPartOptions& hull_options);
 
   std::vector<ConvexPart>
   makeHulls(const std::vector<int>& cut, const ExecutionOptions& execution) const;

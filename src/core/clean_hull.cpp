@@ -59,13 +59,13 @@ verticesToDrop(const TriangleMesh& mesh, double least_height)
   return drop;
 }
 
+/** The vertices that are not to be dropped; the others join those dropped before. */
 Vertices
-without(const std::vector<bool>& drop, const Vertices& vertices)
+splitOff(const std::vector<bool>& drop, const Vertices& vertices, Vertices& dropped)
 {
   Vertices kept;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (!drop[i])
-      kept.push_back(vertices[i]);
+    (drop[i] ? dropped : kept).push_back(vertices[i]);
   return kept;
 }
 
@@ -141,18 +141,18 @@ convexHull(const Vertices& points)
 {
   constexpr int most_rounds = 20;
   TriangleMesh hull = quickHull(points);
-  const Vertices all = hull.vertices;
   const double diagonal = diagonalOf(hull);
+  Vertices dropped;
   for (int round = 0; round < most_rounds && !hull.triangles.empty(); ++round) {
     const std::vector<bool> drop =
         verticesToDrop(hull, least_triangle_height * diagonal);
     if (std::find(drop.begin(), drop.end(), true) == drop.end()) {
       dropUnusedVertices(hull);
-      const bool is_whole =
-          round == 0 || contains(hull, all, 0.5 * hull_tolerance * diagonal);
-      return is_whole && !edgesOf(hull).empty() ? hull : TriangleMesh();
+      const bool is_right = !edgesOf(hull).empty() &&
+                            contains(hull, dropped, 0.5 * hull_tolerance * diagonal);
+      return is_right ? hull : TriangleMesh();
     }
-    hull = quickHull(without(drop, hull.vertices));
+    hull = quickHull(splitOff(drop, hull.vertices, dropped));
   }
   return {};
 }

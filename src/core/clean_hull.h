@@ -32,9 +32,9 @@ constexpr double least_triangle_height = 1e-6;
 TriangleMesh
 convexHull(const std::vector<Eigen::Vector3d>& points);
 
-/** \brief A box with its 8 corners, or, when these are too many, a tetrahedron about
- * it. \param[in] box of extents above 0 \param[in] max_vertices 0 for any number, or at
- * least 4 */
+/** \brief A box with its 8 corners, or a tetrahedron about it when those are too many.
+ *  \param[in] box of extents above 0
+ *  \param[in] max_vertices 0 for any number, or at least 4 */
 TriangleMesh
 boxMesh(const PrincipalBox& box, std::size_t max_vertices);
 

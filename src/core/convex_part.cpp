@@ -163,6 +163,21 @@ makeHull(const LocalPoints& points, const ConvexPartOptions& options, ConvexPart
     part.hull = paddedBox(box, thickness, options);
 }
 
+/** Coordinates are no larger, either, so that float can hold squared distances. */
+constexpr double longest = 1e15;
+
+void
+requireLength(const char* name, double length)
+{
+  if (!(length >= 0.0) || length > longest)
+    throw CIDException(sentence("the ",
+                                name,
+                                " is ",
+                                length,
+                                "; it must be a number of metres, 0 to ",
+                                longest));
+}
+
 /** Back to the frame of the input cloud. */
 void
 translate(TriangleMesh& mesh, const Eigen::Vector3d& origin)
@@ -176,16 +191,17 @@ translate(TriangleMesh& mesh, const Eigen::Vector3d& origin)
 void
 requireValid(const ConvexPartOptions& options)
 {
-  if (!(options.min_thickness > 0.0) || std::isinf(options.min_thickness))
+  if (!(options.min_thickness > 0.0) || options.min_thickness > longest)
     throw CIDException(sentence("the minimum thickness is ",
                                 options.min_thickness,
-                                "; it must be a number of metres above 0"));
+                                "; it must be a number of metres above 0, up to ",
+                                longest));
+  requireLength("padding", options.padding);
+  requireLength("trim distance", options.trim_distance);
   if (options.max_vertices > 0 && options.max_vertices < 4)
     throw CIDException(sentence("the maximum number of vertices is ",
                                 options.max_vertices,
                                 "; it must be at least 4, or 0 for any number"));
-  requireNotNegative("padding", options.padding, "metres");
-  requireNotNegative("trim distance", options.trim_distance, "metres");
 }
 
 ConvexPart

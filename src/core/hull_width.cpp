@@ -12,13 +12,61 @@
 #include "hull_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace pcl_cid {
 namespace {
 
-using Vertices = std::vector<Eigen::Vector3d>;
+/** \brief The vertices of a convex mesh, each with those that it shares an edge with.
+ *
+ *  A vertex with no neighbour farther along a direction is the farthest of all: so
+ *  looking for that one is a short walk. */
+class VertexGraph {
+public:
+  VertexGraph(const TriangleMesh& hull, const std::vector<HullEdge>& edges)
+  : vertices_(hull.vertices), neighbours_(hull.vertices.size())
+  {
+    for (const HullEdge& edge : edges) {
+      neighbours_[edge.begin].push_back(edge.end);
+      neighbours_[edge.end].push_back(edge.begin);
+    }
+  }
+
+  const Eigen::Vector3d&
+  position(std::uint32_t vertex) const
+  {
+    return vertices_[vertex];
+  }
+
+  const std::vector<std::uint32_t>&
+  neighboursOf(std::uint32_t vertex) const
+  {
+    return neighbours_[vertex];
+  }
+
+  /** \brief The vertex farthest along a direction. */
+  std::uint32_t
+  farthest(const Eigen::Vector3d& direction, std::uint32_t start) const
+  {
+    std::uint32_t best = start;
+    double height = direction.dot(vertices_[start]);
+    for (bool climbed = true; climbed;) {
+      climbed = false;
+      for (const std::uint32_t v : neighbours_[best])
+        if (const double other = direction.dot(vertices_[v]); other > height) {
+          height = other;
+          best = v;
+          climbed = true;
+          break;
+        }
+    }
+    return best;
+  }
+
+private:
+  const std::vector<Eigen::Vector3d>& vertices_;
+  std::vector<std::vector<std::uint32_t>> neighbours_;
+};
 
 void
 takeIfLess(const Width& width, Width& least)
@@ -27,31 +75,18 @@ takeIfLess(const Width& width, Width& least)
     least = width;
 }
 
-/** The vertex that is farthest against a direction. */
-std::size_t
-lowest(const Vertices& vertices, const Eigen::Vector3d& direction)
-{
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (const double height = direction.dot(vertices[i]); height < least) {
-      least = height;
-      best = i;
-    }
-  return best;
-}
-
 /** The vertex that lies opposite each face, and the least of the widths between. */
-std::vector<std::size_t>
-oppositeVertices(const TriangleMesh& hull,
-                 const std::vector<HalfSpace>& faces,
+std::vector<std::uint32_t>
+oppositeVertices(const std::vector<HalfSpace>& faces,
+                 const VertexGraph& graph,
                  Width& least)
 {
-  std::vector<std::size_t> opposite;
+  std::vector<std::uint32_t> opposite;
   opposite.reserve(faces.size());
   for (const HalfSpace& face : faces) {
-    opposite.push_back(lowest(hull.vertices, face.normal));
-    takeIfLess({face.normal, -face.excess(hull.vertices[opposite.back()])}, least);
+    const std::uint32_t start = opposite.empty() ? 0 : opposite.back();
+    opposite.push_back(graph.farthest(-face.normal, start));
+    takeIfLess({face.normal, -face.excess(graph.position(opposite.back()))}, least);
   }
   return opposite;
 }
@@ -80,72 +115,80 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
  *  side of the polygon; those are visited as by rotating callipers. */
 class ViewAlongEdge {
 public:
-  ViewAlongEdge(const Vertices& vertices,
-                const Eigen::Vector3d& corner,
-                const Eigen::Vector3d& first_normal,
-                const Eigen::Vector3d& second_normal)
-  : x_axis_(first_normal)
-  , y_axis_(
-        (second_normal - second_normal.dot(first_normal) * first_normal).normalized())
-  , last_(second_normal.dot(x_axis_), second_normal.dot(y_axis_))
+  ViewAlongEdge(const VertexGraph& graph,
+                const HullEdge& edge,
+                const std::vector<HalfSpace>& faces)
+  : graph_(graph)
+  , corner_(edge.begin)
+  , x_axis_(faces[edge.triangle].normal)
+  , y_axis_(faces[edge.neighbour].normal)
   {
-    points_.reserve(vertices.size());
-    for (const Eigen::Vector3d& v : vertices)
-      points_.emplace_back((v - corner).dot(x_axis_), (v - corner).dot(y_axis_));
+    const Eigen::Vector3d second_normal = y_axis_;
+    y_axis_ -= y_axis_.dot(x_axis_) * x_axis_;
+    y_axis_.normalize();
+    last_ = {second_normal.dot(x_axis_), second_normal.dot(y_axis_)};
   }
 
   /** \brief Lower \a least, if the hull is thinner somewhere between the normals.
-   *  \param[in] opposite the vertex opposite the first face */
+   *  \param[in] opposite the vertex opposite the first face
+   *  \param[in] most_steps more than the corners there can be */
   void
-  improve(std::size_t opposite, Width& least) const
+  improve(std::uint32_t opposite, std::size_t most_steps, Width& least) const
   {
-    Eigen::Vector2d at = points_[opposite];
-    for (std::size_t step = 0; step < points_.size(); ++step) {
-      const Eigen::Vector2d side = nextCorner(at) - at;
-      const Eigen::Vector2d direction =
-          Eigen::Vector2d(-side.y(), side.x()).normalized();
+    std::uint32_t at = opposite;
+    for (std::size_t step = 0; step < most_steps; ++step) {
+      const std::uint32_t next = nextCorner(at);
+      const Eigen::Vector2d side = seen(at, next);
+      const Eigen::Vector2d direction(-side.y(), side.x());
       if (!(cross(direction, last_) > 0.0))
         return;
-      if (-direction.dot(at) < least.width)
-        takeIfLess(
-            {direction.x() * x_axis_ + direction.y() * y_axis_, widthAlong(direction)},
-            least);
-      at += side;
+      takeIfLess(widthAlong(direction, at), least);
+      at = next;
     }
   }
 
 private:
-  double
-  widthAlong(const Eigen::Vector2d& direction) const
+  /** The way from one vertex to another, as it is seen. */
+  Eigen::Vector2d
+  seen(std::uint32_t from, std::uint32_t to) const
   {
-    double low = 0.0;
-    double high = 0.0;
-    for (const Eigen::Vector2d& p : points_) {
-      low = std::min(low, direction.dot(p));
-      high = std::max(high, direction.dot(p));
-    }
-    return high - low;
+    const Eigen::Vector3d way = graph_.position(to) - graph_.position(from);
+    return {way.dot(x_axis_), way.dot(y_axis_)};
   }
 
-  /** The next corner, counter-clockwise: all points lie to the left of the way there.
-   */
-  Eigen::Vector2d
-  nextCorner(const Eigen::Vector2d& at) const
+  /** The next corner, counter-clockwise: all vertices lie to the left of the way there.
+   *  It shares an edge with this one. */
+  std::uint32_t
+  nextCorner(std::uint32_t at) const
   {
-    Eigen::Vector2d best = at;
-    for (const Eigen::Vector2d& p : points_) {
-      const double turn = cross(best - at, p - at);
-      if (turn < 0.0 ||
-          (turn == 0.0 && (p - at).squaredNorm() > (best - at).squaredNorm()))
-        best = p;
+    std::uint32_t best = at;
+    Eigen::Vector2d best_way = Eigen::Vector2d::Zero();
+    for (const std::uint32_t v : graph_.neighboursOf(at)) {
+      const Eigen::Vector2d way = seen(at, v);
+      const double turn = cross(best_way, way);
+      if (turn < 0.0 || (turn == 0.0 && way.squaredNorm() > best_way.squaredNorm())) {
+        best = v;
+        best_way = way;
+      }
     }
     return best;
   }
 
-  Eigen::Vector3d x_axis_;
+  Width
+  widthAlong(const Eigen::Vector2d& seen_direction, std::uint32_t opposite) const
+  {
+    const Eigen::Vector3d direction =
+        (seen_direction.x() * x_axis_ + seen_direction.y() * y_axis_).normalized();
+    const std::uint32_t high = graph_.farthest(direction, corner_);
+    const std::uint32_t low = graph_.farthest(-direction, opposite);
+    return {direction, direction.dot(graph_.position(high) - graph_.position(low))};
+  }
+
+  const VertexGraph& graph_;
+  std::uint32_t corner_;
+  Eigen::Vector3d x_axis_; ///< the first normal
   Eigen::Vector3d y_axis_;
   Eigen::Vector2d last_; ///< the second normal
-  std::vector<Eigen::Vector2d> points_;
 };
 
 } // namespace
@@ -154,18 +197,21 @@ Width
 leastWidth(const TriangleMesh& hull)
 {
   const std::vector<HalfSpace> faces = halfSpacesOf(hull);
+  const std::vector<HullEdge> edges = edgesOf(hull);
+  const VertexGraph graph(hull, edges);
   Width least;
-  const std::vector<std::size_t> opposite = oppositeVertices(hull, faces, least);
-  for (const HullEdge& edge : edgesOf(hull)) {
-    const Eigen::Vector3d& corner = hull.vertices[edge.begin];
+  const std::vector<std::uint32_t> opposite = oppositeVertices(faces, graph, least);
+  for (const HullEdge& edge : edges) {
     const Eigen::Vector3d& first = faces[edge.triangle].normal;
     const Eigen::Vector3d& second = faces[edge.neighbour].normal;
-    const double bound = std::max(
-        leastBetween(corner - hull.vertices[opposite[edge.triangle]], first, second),
-        leastBetween(corner - hull.vertices[opposite[edge.neighbour]], first, second));
-    if (bound < least.width)
-      ViewAlongEdge(hull.vertices, corner, first, second)
-          .improve(opposite[edge.triangle], least);
+    const auto bound = [&](std::uint32_t vertex) {
+      return leastBetween(
+          graph.position(edge.begin) - graph.position(vertex), first, second);
+    };
+    if (std::max(bound(opposite[edge.triangle]), bound(opposite[edge.neighbour])) <
+        least.width)
+      ViewAlongEdge(graph, edge, faces)
+          .improve(opposite[edge.triangle], hull.vertices.size(), least);
   }
   return least;
 }

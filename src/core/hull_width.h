@@ -23,10 +23,12 @@ struct Width {
   double width = std::numeric_limits<double>::infinity();
 };
 
-/** \brief The direction in which a closed convex mesh is thinnest: the smallest
- * distance of two parallel planes that it fits between. \note Cost: O(V F), and O(V)
- * more for each edge whose two faces leave open whether it is thinner in between: few.
- */
+/** \brief The direction in which a closed convex mesh is thinnest: its width is the
+ *  smallest distance of two parallel planes that the mesh fits between.
+ *
+ *  They touch it in a face and a vertex, or in two edges.
+ *  \note Cost: for each face, and for few of the edges, a walk over neighbouring
+ *  vertices. */
 Width
 leastWidth(const TriangleMesh& hull);
 

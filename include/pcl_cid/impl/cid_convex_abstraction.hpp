@@ -59,12 +59,50 @@ CIDConvexAbstraction<PointT>::setGroupSampleSize(int group_sample_size)
 
 template <typename PointT>
 void
+CIDConvexAbstraction<PointT>::setHullOptions(const ConvexPartOptions& hull_options)
+{
+  requireValid(hull_options);
+  hull_options_ = hull_options;
+}
+
+template <typename PointT>
+void
 CIDConvexAbstraction<PointT>::setMinThickness(double min_thickness)
 {
-  if (!(min_thickness > 0.0) || min_thickness > 1e15)
-    throw CIDException("the minimum thickness is " + std::to_string(min_thickness) +
-                       "; it must be a number of metres above 0");
-  hull_options_.min_thickness = min_thickness;
+  ConvexPartOptions options = hull_options_;
+  options.min_thickness = min_thickness;
+  setHullOptions(options);
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setMaxVertices(int max_vertices)
+{
+  if (max_vertices < 0)
+    throw CIDException("the maximum number of vertices is " +
+                       std::to_string(max_vertices) +
+                       "; it must be at least 4, or 0 for any number");
+  ConvexPartOptions options = hull_options_;
+  options.max_vertices = static_cast<std::size_t>(max_vertices);
+  setHullOptions(options);
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setPadding(double padding)
+{
+  ConvexPartOptions options = hull_options_;
+  options.padding = padding;
+  setHullOptions(options);
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setTrimDistance(double trim_distance)
+{
+  ConvexPartOptions options = hull_options_;
+  options.trim_distance = trim_distance;
+  setHullOptions(options);
 }
 
 template <typename PointT>
