@@ -9,8 +9,6 @@
 
 #pragma once
 
-#include "principal_box.h"
-
 #include <pcl_cid/core/convex_part.h>
 
 #include <vector>
@@ -31,11 +29,5 @@ constexpr double least_triangle_height = 1e-6;
  *  \return no triangles when there is no such hull */
 TriangleMesh
 convexHull(const std::vector<Eigen::Vector3d>& points);
-
-/** \brief A box with its 8 corners, or a tetrahedron about it when those are too many.
- *  \param[in] box of extents above 0
- *  \param[in] max_vertices 0 for any number, or at least 4 */
-TriangleMesh
-boxMesh(const PrincipalBox& box, std::size_t max_vertices);
 
 } // namespace pcl_cid

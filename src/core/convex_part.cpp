@@ -7,6 +7,7 @@
  * A part and its hull: points, thickened, hulled, padded, reduced.
  */
 
+#include "box_mesh.h"
 #include "clean_hull.h"
 #include "hull_mesh.h"
 #include "hull_reduction.h"
@@ -57,11 +58,18 @@ sourcesOf(const PointSet& points, const pcl::Indices& members)
   return sources;
 }
 
-/** A hull that is thinner than its tolerance would be flat for all that it promises. */
+/** What \a min_thickness is at least: a hull that is thinner than its tolerance would
+ * be flat for all that it promises, and one that is hardly thicker than the last places
+ *  of its coordinates would be out of shape. */
 double
-feasibleThickness(const PrincipalBox& box, double min_thickness)
+feasibleThickness(const PrincipalBox& box,
+                  const Eigen::Vector3d& origin,
+                  double min_thickness)
 {
-  return std::max(min_thickness, hull_tolerance * box.extents.norm());
+  constexpr double resolution = 1e-10; // of double, with six digits to spare
+  const double farthest = (origin + box.centre).cwiseAbs().maxCoeff();
+  return std::max(
+      {min_thickness, hull_tolerance * box.extents.norm(), resolution * farthest});
 }
 
 /** Move each point along an axis of the box to either side of a slab about its
@@ -150,10 +158,13 @@ paddedBox(PrincipalBox box, double thickness, const ConvexPartOptions& options)
 /** The hull of the part's points in all its steps; the points' box, should qhull
  *  fail. */
 void
-makeHull(const LocalPoints& points, const ConvexPartOptions& options, ConvexPart& part)
+makeHull(const LocalPoints& points,
+         const Eigen::Vector3d& origin,
+         const ConvexPartOptions& options,
+         ConvexPart& part)
 {
   const PrincipalBox box = principalBox(points);
-  const double thickness = feasibleThickness(box, options.min_thickness);
+  const double thickness = feasibleThickness(box, origin, options.min_thickness);
   part.thickened = box.extents.minCoeff() < thickness;
   part.hull = thickHull(thickPoints(points, box, thickness), thickness, part.thickened);
   part.hull = padded(part.hull, options.padding);
@@ -165,6 +176,7 @@ makeHull(const LocalPoints& points, const ConvexPartOptions& options, ConvexPart
 
 /** Coordinates are no larger, either, so that float can hold squared distances. */
 constexpr double longest = 1e15;
+constexpr double shortest = 1e-15;
 
 void
 requireLength(const char* name, double length)
@@ -191,10 +203,12 @@ translate(TriangleMesh& mesh, const Eigen::Vector3d& origin)
 void
 requireValid(const ConvexPartOptions& options)
 {
-  if (!(options.min_thickness > 0.0) || options.min_thickness > longest)
+  if (!(options.min_thickness >= shortest) || options.min_thickness > longest)
     throw CIDException(sentence("the minimum thickness is ",
                                 options.min_thickness,
-                                "; it must be a number of metres above 0, up to ",
+                                "; it must be a number of metres above 0, ",
+                                shortest,
+                                " to ",
                                 longest));
   requireLength("padding", options.padding);
   requireLength("trim distance", options.trim_distance);
@@ -217,7 +231,8 @@ makeConvexPart(const PointSet& points,
   ConvexPart part;
   part.indices = sourcesOf(points, members_left.kept);
   part.trimmed = sourcesOf(points, members_left.trimmed);
-  makeHull(distinctPoints(points.points, members_left.kept), options, part);
+  makeHull(
+      distinctPoints(points.points, members_left.kept), points.origin, options, part);
   part.volume = volumeOf(part.hull);
   part.area = areaOf(part.hull);
   part.thickness = leastWidth(part.hull).width;

@@ -9,6 +9,7 @@
 
 #include "hull_reduction.h"
 
+#include "box_mesh.h"
 #include "clean_hull.h"
 #include "hull_mesh.h"
 #include "principal_box.h"

@@ -38,8 +38,10 @@ constexpr double hull_tolerance = 1e-5;
 
 /** \brief How hulls are made. */
 struct ConvexPartOptions {
-  /** Least width of a hull over all directions, metres, above 0. Thinner parts (a wall
-   *  is one) are thickened, symmetric about their points. */
+  /** Least width of a hull over all directions, metres, 1e-15 to 1e15. Thinner parts (a
+   *  wall is one) are thickened, symmetric about their points. A hull cannot be thinner
+   *  than 1e-5 of its diagonal, nor than 1e-10 of its coordinates, so that is the least
+   *  when it is more. */
   double min_thickness = 0.005;
   /** Most vertices of a hull, at least 4; 0 for any number. A hull with more is
    * replaced by a simpler body around it. */
