@@ -13,8 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,103 +24,135 @@ namespace {
 /** Which cell; whole numbers, in double because they may be huge. */
 using CellIndex = std::array<double, 3>;
 
-struct Cell {
-  pcl::Indices members;
-  int cluster = -1;
-};
-
 /** \brief The points of a part in cubic cells with a diagonal of less than the distance
  *  that links points: a cluster is made of whole cells. */
 class ClusteredCells {
 public:
   ClusteredCells(const Points& points, const pcl::Indices& members, double distance)
-  : points_(points), distance_(distance)
+  : distance_(distance)
   {
-    for (const pcl::index_t member : members)
-      cells_[cellOf(point(member))].members.push_back(member);
-    for (auto& [index, cell] : cells_)
-      if (cell.cluster < 0)
-        growCluster(index);
+    sortIntoCells(points, members);
+    for (std::size_t row = 0; row < rows; ++row)
+      linkWithRow(row);
   }
 
-  /** \brief Points in each cluster. */
-  const std::vector<std::size_t>&
-  sizes() const
+  /** \brief For each member, how many are in its cluster. */
+  std::vector<std::size_t>
+  clusterSizes()
   {
-    return sizes_;
-  }
-
-  int
-  clusterOf(pcl::index_t member) const
-  {
-    return cells_.at(cellOf(point(member))).cluster;
+    std::vector<std::size_t> size(cells_.size(), 0);
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      size[rootOf(c)] += cells_[c].end - cells_[c].begin;
+    std::vector<std::size_t> size_of_member(points_.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      for (std::size_t i = cells_[c].begin; i < cells_[c].end; ++i)
+        size_of_member[points_[i].member] = size[rootOf(c)];
+    return size_of_member;
   }
 
 private:
-  Eigen::Vector3d
-  point(pcl::index_t member) const
-  {
-    return points_[static_cast<std::size_t>(member)].cast<double>();
-  }
+  struct CellPoint {
+    CellIndex cell;
+    std::size_t member; ///< its number among the members
+    Eigen::Vector3d position;
 
-  CellIndex
-  cellOf(const Eigen::Vector3d& p) const
-  {
-    const double side = 0.5 * distance_;
-    return {
-        std::floor(p.x() / side), std::floor(p.y() / side), std::floor(p.z() / side)};
-  }
+    bool
+    operator<(const CellPoint& other) const
+    {
+      return std::tie(cell, member) < std::tie(other.cell, other.member);
+    }
+  };
+
+  /** A run of points_, and the cell before it in its cluster: itself for the root. */
+  struct Cell {
+    std::size_t begin;
+    std::size_t end;
+    std::size_t parent;
+  };
+
+  /** Linked points are at most two cells apart. Of those cells, every second one comes
+   *  later in the order of cells: in the rows (0, 0), (0, 1), (0, 2), (1, -2) ... */
+  static constexpr std::size_t rows = 13;
 
   void
-  growCluster(const CellIndex& first)
+  sortIntoCells(const Points& points, const pcl::Indices& members)
   {
-    const auto cluster = static_cast<int>(sizes_.size());
-    sizes_.push_back(0);
-    std::vector<CellIndex> reached;
-    const auto reach = [&](const CellIndex& index, Cell& cell) {
-      cell.cluster = cluster;
-      sizes_.back() += cell.members.size();
-      reached.push_back(index);
-    };
-    reach(first, cells_.at(first));
-    while (!reached.empty()) {
-      const CellIndex index = reached.back();
-      reached.pop_back();
-      visitLinked(index, reach);
+    const double side = 0.5 * distance_;
+    points_.reserve(members.size());
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const Eigen::Vector3d p =
+          points[static_cast<std::size_t>(members[m])].cast<double>();
+      const CellIndex cell = {
+          std::floor(p.x() / side), std::floor(p.y() / side), std::floor(p.z() / side)};
+      points_.push_back({cell, m, p});
+    }
+    std::sort(points_.begin(), points_.end());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (i == 0 || points_[i].cell != points_[i - 1].cell)
+        cells_.push_back({i, i, cells_.size()});
+      cells_.back().end = i + 1;
     }
   }
 
-  /** Call \a reach for each cell of no cluster with a point linked to one in here: it
-   * is at most two cells away. */
-  template <typename Reach>
-  void
-  visitLinked(const CellIndex& index, const Reach& reach)
+  const CellIndex&
+  indexOf(std::size_t cell) const
   {
-    const Cell& here = cells_.at(index);
-    for (int dx = -2; dx <= 2; ++dx)
-      for (int dy = -2; dy <= 2; ++dy)
-        for (int dz = -2; dz <= 2; ++dz) {
-          const auto there = cells_.find({index[0] + dx, index[1] + dy, index[2] + dz});
-          if (there != cells_.end() && there->second.cluster < 0 &&
-              areLinked(here, there->second))
-            reach(there->first, there->second);
-        }
+    return points_[cells_[cell].begin].cell;
+  }
+
+  /** Link all cells with those in a row that later cells make up: two steps to either
+   *  side, and to where the row is. As the cells are in order, so are the rows: what
+   * was passed once is never needed again. */
+  void
+  linkWithRow(std::size_t row)
+  {
+    const auto step_x = static_cast<double>((row + 2) / 5);
+    const double step_y = static_cast<double>((row + 2) % 5) - 2.0;
+    std::size_t first = 0;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const CellIndex& here = indexOf(c);
+      const CellIndex low = {here[0] + step_x, here[1] + step_y, here[2] - 2.0};
+      const CellIndex high = {low[0], low[1], here[2] + 2.0};
+      while (first < cells_.size() && indexOf(first) < low)
+        ++first;
+      for (std::size_t other = first; other < cells_.size() && indexOf(other) <= high;
+           ++other)
+        link(c, other);
+    }
+  }
+
+  void
+  link(std::size_t a, std::size_t b)
+  {
+    const std::size_t root_a = rootOf(a);
+    const std::size_t root_b = rootOf(b);
+    if (root_a != root_b && areLinked(cells_[a], cells_[b]))
+      cells_[std::max(root_a, root_b)].parent = std::min(root_a, root_b);
+  }
+
+  std::size_t
+  rootOf(std::size_t cell)
+  {
+    while (cells_[cell].parent != cell) {
+      cells_[cell].parent = cells_[cells_[cell].parent].parent;
+      cell = cells_[cell].parent;
+    }
+    return cell;
   }
 
   bool
   areLinked(const Cell& a, const Cell& b) const
   {
-    for (const pcl::index_t i : a.members)
-      for (const pcl::index_t j : b.members)
-        if ((point(i) - point(j)).norm() <= distance_)
+    for (std::size_t i = a.begin; i < a.end; ++i)
+      for (std::size_t j = b.begin; j < b.end; ++j)
+        if ((points_[i].position - points_[j].position).norm() <= distance_)
           return true;
     return false;
   }
 
-  const Points& points_;
   double distance_;
-  std::map<CellIndex, Cell> cells_;
-  std::vector<std::size_t> sizes_;
+  std::vector<CellPoint> points_; ///< by cell
+  std::vector<Cell> cells_;       ///< by index
 };
 
 } // namespace
@@ -132,14 +163,13 @@ trimStrayPoints(const Points& points, const pcl::Indices& members, double distan
   constexpr std::size_t bulk = 100; // times as many points as in a stray cluster
   if (distance == 0.0)
     return {members, {}};
-  const ClusteredCells cells(points, members, distance);
-  const std::size_t largest =
-      *std::max_element(cells.sizes().begin(), cells.sizes().end());
+  const std::vector<std::size_t> sizes =
+      ClusteredCells(points, members, distance).clusterSizes();
+  const std::size_t largest = *std::max_element(sizes.begin(), sizes.end());
   TrimmedPart part;
-  for (const pcl::index_t member : members) {
-    const auto cluster = static_cast<std::size_t>(cells.clusterOf(member));
-    const bool is_stray = cells.sizes()[cluster] < (largest + bulk - 1) / bulk;
-    (is_stray ? part.trimmed : part.kept).push_back(member);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const bool is_stray = sizes[m] < (largest + bulk - 1) / bulk;
+    (is_stray ? part.trimmed : part.kept).push_back(members[m]);
   }
   return part;
 }

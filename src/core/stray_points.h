@@ -25,13 +25,14 @@ struct TrimmedPart {
  *
  *  Points are linked when they are at most \a distance apart; links make clusters. A
  *  cluster is stray when the largest one has more than 100 times its points. So the
- *  largest is never trimmed, a part of up to 100 points loses nothing (none of so few
- *  is the exception), and a part that falls into comparable pieces keeps them all.
+ *  largest is never trimmed, a part of up to 100 points loses nothing, and a part that
+ *  falls into comparable pieces keeps them all.
  *  \param[in] points of the cloud
  *  \param[in] members positions in \a points of the part's points; at least 1
  *  \param[in] distance metres; 0 trims nothing
- *  \note Cost: O(n log n), whatever the distance: points of one cell of a grid are all
- *  linked, so that a cell is visited once. */
+ *  \note Cost: O(n log n) as a rule, whatever the distance: points in one cell of a
+ *  grid are all linked, so that cells are compared, and only those of different
+ *  clusters. */
 TrimmedPart
 trimStrayPoints(const Points& points, const pcl::Indices& members, double distance);
 
