@@ -9,6 +9,7 @@
 
 #include <pcl_cid/io/output_files.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -31,6 +32,15 @@ areSame(const std::string& first, const std::string& second)
   if (fs::equivalent(first, second, error))
     return true;
   return fs::weakly_canonical(first, error) == fs::weakly_canonical(second, error);
+}
+
+/** The file or folder that a name means, links and ".." resolved. */
+fs::path
+resolved(const std::string& path)
+{
+  fs::path target = fs::weakly_canonical(fs::absolute(path));
+  // "folder/" means the folder.
+  return target.has_filename() ? target : target.parent_path();
 }
 
 void
@@ -82,23 +92,46 @@ OutputFiles::~OutputFiles()
   std::error_code error;
   for (const Output& output : outputs_)
     fs::remove(output.partial, error);
+  for (const std::string& folder : made_folders_)
+    fs::remove(folder, error); // only when nobody has put anything into it
 }
 
 void
 OutputFiles::announce(const std::string& path)
 {
-  for (const std::string& input : inputs_)
-    if (areSame(path, input))
-      throw CIDException(path + ": is the input " + input +
-                         ", which is never written over; choose another name");
-  for (const Output& output : outputs_)
-    if (areSame(path, output.target))
-      throw CIDException(path + ": is written twice, the other time as " + output.path +
-                         "; choose another name");
+  refuseInput(path);
   requireFolder(path);
   requireFileOrNothing(path);
-  const fs::path target = fs::weakly_canonical(fs::absolute(path));
+  const fs::path target = resolved(path);
+  for (const Output& output : outputs_)
+    if (target == output.target)
+      throw CIDException(path + ": is written twice, the other time as " + output.path +
+                         "; choose another name");
   outputs_.push_back({path, target.string(), makePartial(path, target)});
+}
+
+void
+OutputFiles::announceFolder(const std::string& path)
+{
+  std::error_code error;
+  const fs::path folder = resolved(path);
+  if (!fs::exists(folder, error)) {
+    requireFolder(folder.string());
+    if (!fs::create_directory(folder, error))
+      throw CIDException(path + ": the folder cannot be made: " + error.message());
+    made_folders_.push_back(folder.string());
+  }
+  if (!fs::is_directory(folder, error))
+    throw CIDException(path + ": exists and is not a folder; choose another name");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw CIDException(path + ": cannot be written to: " + std::strerror(errno));
+}
+
+void
+OutputFiles::announceRemoval(const std::string& path)
+{
+  refuseInput(path);
+  removals_.push_back({fs::absolute(path).string(), resolved(path).string()});
 }
 
 void
@@ -120,15 +153,47 @@ OutputFiles::commit()
   for (std::size_t i = 0; i < outputs_.size(); ++i) {
     std::error_code error;
     fs::rename(outputs_[i].partial, outputs_[i].target, error);
-    if (!error)
-      continue;
-    std::error_code ignored;
-    for (std::size_t placed = 0; placed < i; ++placed)
-      fs::remove(outputs_[placed].target, ignored);
-    throw CIDException(outputs_[i].path +
-                       ": cannot be put in place: " + error.message());
+    if (error)
+      takeBack(i, outputs_[i].path + ": cannot be put in place: " + error.message());
+  }
+  for (const Removal& removal : removals_) {
+    std::error_code error;
+    if (!isOutput(removal.target))
+      fs::remove(removal.path, error);
+    if (error)
+      takeBack(outputs_.size(),
+               removal.path +
+                   ": is of an earlier run and cannot be removed: " + error.message());
   }
   outputs_.clear();
+  made_folders_.clear();
+  removals_.clear();
+}
+
+void
+OutputFiles::refuseInput(const std::string& path) const
+{
+  for (const std::string& input : inputs_)
+    if (areSame(path, input))
+      throw CIDException(path + ": is the input " + input +
+                         ", which is never written over; choose another name");
+}
+
+bool
+OutputFiles::isOutput(const std::string& target) const
+{
+  return std::any_of(outputs_.begin(), outputs_.end(), [&](const Output& output) {
+    return output.target == target;
+  });
+}
+
+void
+OutputFiles::takeBack(std::size_t placed, const std::string& reason)
+{
+  std::error_code ignored;
+  for (std::size_t i = 0; i < placed; ++i)
+    fs::remove(outputs_[i].target, ignored);
+  throw CIDException(reason);
 }
 
 OutputFiles::Output&

@@ -171,6 +171,97 @@ TEST_F(OutputFilesTest, DisappearAgainWhenOneCannotBePlaced)
   EXPECT_FALSE(fs::exists(folder_.file("a")));
 }
 
+TEST_F(OutputFilesTest, MakeAFolderForThem)
+{
+  const std::string folder = folder_.file("new");
+  {
+    OutputFiles outputs({});
+    outputs.announceFolder(folder + "/");
+    outputs.announce(folder + "/a");
+    outputs.write(folder + "/a", write_new);
+  }
+  EXPECT_EQ(folder_.names(), Names{}) << "without commit";
+  OutputFiles outputs({});
+  outputs.announceFolder(folder);
+  outputs.announceFolder(folder); // is there by now
+  outputs.announce(folder + "/a");
+  outputs.write(folder + "/a", write_new);
+  outputs.commit();
+  EXPECT_EQ(readText(folder + "/a"), "new");
+}
+
+TEST_F(OutputFilesTest, KeepAFolderThatIsNotTheirs)
+{
+  fs::create_directory(folder_.file("mine"));
+  {
+    OutputFiles outputs({});
+    outputs.announceFolder(folder_.file("mine"));
+    outputs.announceFolder(folder_.file("new"));
+    writeText(folder_.file("new/of somebody else"), "text");
+  }
+  EXPECT_EQ(folder_.names(), (Names{"mine", "new"}));
+  EXPECT_EQ(readText(folder_.file("new/of somebody else")), "text");
+}
+
+TEST_F(OutputFilesTest, RefuseWhatCannotBeAFolderForThem)
+{
+  writeText(folder_.file("file"), "text");
+  OutputFiles outputs({});
+  for (const std::string& path :
+       {folder_.file("file"), folder_.file("nowhere/new"), std::string("/proc/new")}) {
+    try {
+      outputs.announceFolder(path);
+      FAIL() << path << " was accepted";
+    }
+    catch (const CIDException& error) {
+      EXPECT_NE(std::string(error.what()).find(path), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST_F(OutputFilesTest, RemoveWhatIsOfAnEarlierRun)
+{
+  for (const char* const name : {"a", "b", "old", "precious"})
+    writeText(folder_.file(name), "old");
+  fs::create_symlink("precious", folder_.file("link"));
+  const auto announceAll = [&](OutputFiles& outputs) {
+    outputs.announce(folder_.file("a"));
+    for (const char* const name : {"a", "old", "link"})
+      outputs.announceRemoval(folder_.file(name));
+    outputs.write(folder_.file("a"), write_new);
+  };
+  {
+    OutputFiles outputs({});
+    announceAll(outputs);
+  }
+  EXPECT_EQ(folder_.names(), (Names{"a", "b", "link", "old", "precious"}));
+  OutputFiles outputs({});
+  announceAll(outputs);
+  outputs.commit();
+  EXPECT_EQ(folder_.names(), (Names{"a", "b", "precious"}));
+  EXPECT_EQ(readText(folder_.file("a")), "new");
+}
+
+TEST_F(OutputFilesTest, NeverRemoveAnInput)
+{
+  writeText(folder_.file("input"), "precious");
+  OutputFiles outputs({folder_.file("input")});
+  EXPECT_THROW(outputs.announceRemoval(folder_.file("input")), CIDException);
+}
+
+TEST_F(OutputFilesTest, DisappearAgainWhenAnEarlierFileCannotBeRemoved)
+{
+  fs::create_directory(folder_.file("old"));
+  writeText(folder_.file("old/file"), "text");
+  OutputFiles outputs({});
+  outputs.announce(folder_.file("a"));
+  outputs.announceRemoval(folder_.file("old"));
+  outputs.write(folder_.file("a"), write_new);
+  EXPECT_THROW(outputs.commit(), CIDException);
+  EXPECT_EQ(folder_.names(), Names{"old"});
+}
+
 TEST_F(OutputFilesTest, MustBeAnnounced)
 {
   OutputFiles outputs({});

@@ -50,15 +50,27 @@ public:
   void
   announce(const std::string& path);
 
+  /** \brief The same for a folder that outputs will be announced in: it is made when it
+   *  is missing, and removed again when nothing is committed.
+   *  \throws CIDException when it cannot be made or written to, or is not a folder */
+  void
+  announceFolder(const std::string& path);
+
+  /** \brief Let commit() remove a file of an earlier run that has no place beside the
+   *  outputs of this one; an output of that name is kept.
+   *  \throws CIDException when it is an input */
+  void
+  announceRemoval(const std::string& path);
+
   /** \brief Write an output that was announced.
    *  \param[in] writer its exceptions pass through
    *  \throws CIDException when not all of it could be written */
   void
   write(const std::string& path, const std::function<void(std::ostream&)>& writer);
 
-  /** \brief Let all outputs appear.
-   *  \throws CIDException when one cannot; then none stays, unless an older file that
-   *  was replaced already is lost */
+  /** \brief Let all outputs appear, then remove what was announced for it.
+   *  \throws CIDException when one cannot; then none stays. An older file that was
+   *  replaced or removed already is lost */
   void
   commit();
 
@@ -69,11 +81,28 @@ private:
     std::string partial; ///< where it is written
   };
 
+  struct Removal {
+    std::string path;   ///< itself, should it be a link
+    std::string target; ///< the file that it names, links resolved
+  };
+
+  void
+  refuseInput(const std::string& path) const;
+
+  bool
+  isOutput(const std::string& target) const;
+
+  /** Remove the first \a placed outputs again. */
+  [[noreturn]] void
+  takeBack(std::size_t placed, const std::string& reason);
+
   Output&
   find(const std::string& path);
 
   std::vector<std::string> inputs_;
   std::vector<Output> outputs_;
+  std::vector<std::string> made_folders_;
+  std::vector<Removal> removals_;
 };
 
 } // namespace pcl_cid
