@@ -62,6 +62,51 @@ sizeOfAll(const std::vector<ConvexPart>& parts)
   return size;
 }
 
+void
+appendVertices(const TriangleMesh& mesh, std::string& text)
+{
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    text += 'v';
+    appendVector(vertex, text);
+    text += '\n';
+  }
+}
+
+/** \param[in] first_vertex number of the mesh's first vertex in the file, from 1 */
+void
+appendFaces(const TriangleMesh& mesh, std::size_t first_vertex, std::string& text)
+{
+  for (const auto& triangle : mesh.triangles) {
+    text += 'f';
+    for (const std::uint32_t vertex : triangle)
+      text += ' ' + std::to_string(first_vertex + vertex);
+    text += '\n';
+  }
+}
+
+void
+writeSTLHeader(std::ostream& stream, std::size_t triangles)
+{
+  std::string comment = "convex hulls by pcl_cid";
+  comment.resize(80);
+  stream << comment;
+  writeValue(stream, static_cast<std::uint32_t>(triangles));
+}
+
+void
+writeSTLTriangles(std::ostream& stream, const TriangleMesh& mesh)
+{
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.vertices[triangle[0]];
+    const Eigen::Vector3d& b = mesh.vertices[triangle[1]];
+    const Eigen::Vector3d& c = mesh.vertices[triangle[2]];
+    writeFloats(stream, (b - a).cross(c - a).normalized());
+    for (const Eigen::Vector3d* const vertex : {&a, &b, &c})
+      writeFloats(stream, *vertex);
+    writeValue(stream, std::uint16_t{0});
+  }
+}
+
 } // namespace
 
 PartColour
@@ -90,21 +135,21 @@ writeOBJ(std::ostream& stream,
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const TriangleMesh& hull = parts[i].hull;
     std::string text = "o " + partName(i) + "\n";
-    for (const Eigen::Vector3d& vertex : hull.vertices) {
-      text += 'v';
-      appendVector(vertex, text);
-      text += '\n';
-    }
+    appendVertices(hull, text);
     text += "usemtl " + partName(i) + "\n";
-    for (const auto& triangle : hull.triangles) {
-      text += 'f';
-      for (const std::uint32_t vertex : triangle)
-        text += ' ' + std::to_string(first_vertex + vertex);
-      text += '\n';
-    }
+    appendFaces(hull, first_vertex, text);
     stream << text;
     first_vertex += hull.vertices.size();
   }
+}
+
+void
+writeOBJMesh(std::ostream& stream, const TriangleMesh& mesh, const std::string& name)
+{
+  std::string text = "o " + name + "\n";
+  appendVertices(mesh, text);
+  appendFaces(mesh, 1, text);
+  stream << text;
 }
 
 void
@@ -151,20 +196,16 @@ writePLY(std::ostream& stream, const std::vector<ConvexPart>& parts)
 void
 writeSTL(std::ostream& stream, const std::vector<ConvexPart>& parts)
 {
-  std::string comment = "convex hulls by pcl_cid";
-  comment.resize(80);
-  stream << comment;
-  writeValue(stream, static_cast<std::uint32_t>(sizeOfAll(parts).triangles));
+  writeSTLHeader(stream, sizeOfAll(parts).triangles);
   for (const ConvexPart& part : parts)
-    for (const auto& triangle : part.hull.triangles) {
-      const Eigen::Vector3d& a = part.hull.vertices[triangle[0]];
-      const Eigen::Vector3d& b = part.hull.vertices[triangle[1]];
-      const Eigen::Vector3d& c = part.hull.vertices[triangle[2]];
-      writeFloats(stream, (b - a).cross(c - a).normalized());
-      for (const Eigen::Vector3d* const vertex : {&a, &b, &c})
-        writeFloats(stream, *vertex);
-      writeValue(stream, std::uint16_t{0});
-    }
+    writeSTLTriangles(stream, part.hull);
+}
+
+void
+writeSTLMesh(std::ostream& stream, const TriangleMesh& mesh)
+{
+  writeSTLHeader(stream, mesh.triangles.size());
+  writeSTLTriangles(stream, mesh);
 }
 
 pcl::PolygonMesh

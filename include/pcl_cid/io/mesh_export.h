@@ -45,6 +45,10 @@ writeOBJ(std::ostream& stream,
          const std::vector<ConvexPart>& parts,
          const std::string& material_library);
 
+/** \brief A Wavefront OBJ of one mesh: an object of this name, without colour. */
+PCL_CID_IO_EXPORT void
+writeOBJMesh(std::ostream& stream, const TriangleMesh& mesh, const std::string& name);
+
 /** \brief The material library of an OBJ: a material `part_NNN` for each part. */
 PCL_CID_IO_EXPORT void
 writeMTL(std::ostream& stream, const std::vector<ConvexPart>& parts);
@@ -58,6 +62,10 @@ writePLY(std::ostream& stream, const std::vector<ConvexPart>& parts);
  *  lose their shape (steps of 0.25 m at 4,000,000 m), which OBJ and PLY keep. */
 PCL_CID_IO_EXPORT void
 writeSTL(std::ostream& stream, const std::vector<ConvexPart>& parts);
+
+/** \brief A binary STL of one mesh. */
+PCL_CID_IO_EXPORT void
+writeSTLMesh(std::ostream& stream, const TriangleMesh& mesh);
 
 /** \brief A mesh as PCL knows it, for its viewer and its own writers; float. */
 PCL_CID_IO_EXPORT pcl::PolygonMesh

@@ -1,0 +1,105 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Reading binary files, with messages that say where.
+ */
+
+#pragma once
+
+#include "../core/validation.h"
+#include "field_values.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <Eigen/Core>
+
+namespace pcl_cid {
+
+/** \brief A file, open; refused when it cannot be. */
+inline std::ifstream
+openedForReading(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
+  return stream;
+}
+
+/** \brief Reads values from a binary file, and knows where they stand. */
+class BinaryReading {
+public:
+  explicit BinaryReading(const std::string& path)
+  : path_(path), stream_(openedForReading(path))
+  {
+    std::error_code error;
+    size_ = std::filesystem::file_size(path, error);
+    if (error)
+      throw CIDException(path + ": cannot be read: " + error.message());
+  }
+
+  std::ifstream&
+  stream()
+  {
+    return stream_;
+  }
+
+  /** \brief Refuse a file that does not hold exactly this many more bytes. */
+  void
+  requireLeft(std::uint64_t bytes)
+  {
+    const std::uint64_t left = bytesLeft(stream_, size_);
+    if (left != bytes)
+      fail(size_ - left,
+           sentence("has ", left, " bytes from here on; its header announces ", bytes));
+  }
+
+  template <typename Value>
+  Value
+  read()
+  {
+    Value value{};
+    stream_.read(reinterpret_cast<char*>(&value), sizeof(value));
+    if (!stream_)
+      fail(size_, "the file ends too early");
+    return value;
+  }
+
+  /** \brief Three coordinates; refused when they are not finite. */
+  template <typename Scalar>
+  Eigen::Vector3d
+  readFinite()
+  {
+    Eigen::Vector3d v;
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = static_cast<double>(read<Scalar>());
+    if (!v.allFinite())
+      fail(offset() - 3 * sizeof(Scalar), "is a vertex that is not finite");
+    return v;
+  }
+
+  std::uint64_t
+  offset()
+  {
+    return static_cast<std::uint64_t>(stream_.tellg());
+  }
+
+  [[noreturn]] void
+  fail(std::uint64_t offset, const std::string& reason) const
+  {
+    throw CIDException(sentence(path_, ": offset ", offset, ": ", reason));
+  }
+
+private:
+  std::string path_;
+  std::ifstream stream_;
+  std::uint64_t size_ = 0;
+};
+
+} // namespace pcl_cid
