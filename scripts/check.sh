@@ -37,7 +37,7 @@ find include src tools test doc -name '*.h' -o -name '*.hpp' -o -name '*.cpp' |
 echo "All files are formatted."
 
 step "Tests, warnings as errors"
-build_preset dev
+build_preset dev -DPCL_CID_REQUIRE_PARSERS=ON
 test_preset dev
 
 step "Tests under AddressSanitizer and UndefinedBehaviorSanitizer"

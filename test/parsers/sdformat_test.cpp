@@ -1,0 +1,92 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * SDF opened by libsdformat, Gazebo's parser.
+ */
+
+#include "exported_scene.h"
+
+#include <pcl_cid/io/mesh_export.h>
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <sdf/sdf.hh>
+
+namespace pcl_cid::test {
+namespace {
+
+void
+expectMesh(const sdf::Geometry& geometry,
+           const ignition::math::Pose3d& pose,
+           std::size_t part,
+           const ExportedScene& exported)
+{
+  ASSERT_EQ(geometry.Type(), sdf::GeometryType::MESH);
+  const std::string uri = geometry.MeshShape()->Uri();
+  EXPECT_TRUE(std::filesystem::equivalent(exported.referred(uri), exported.mesh(part)))
+      << uri;
+  const Eigen::Vector3d& origin = exported.description().origin;
+  EXPECT_EQ(pose, ignition::math::Pose3d(origin.x(), origin.y(), origin.z(), 0, 0, 0));
+}
+
+TEST(SDFormat, FindsACollisionAndAVisualForEachPart)
+{
+  forEachExportedScene([](const ExportedScene& exported) {
+    sdf::Root root;
+    for (const sdf::Error& error : root.Load(exported.file("scene.sdf")))
+      ADD_FAILURE() << error.Message();
+    EXPECT_EQ(root.Element()->OriginalVersion(), "1.9");
+    ASSERT_NE(root.Model(), nullptr);
+    const sdf::Model& model = *root.Model();
+    EXPECT_EQ(model.Name(), exported.description().name);
+    EXPECT_TRUE(model.Static());
+    ASSERT_EQ(model.LinkCount(), 1u);
+    const sdf::Link& link = *model.LinkByIndex(0);
+    EXPECT_EQ(link.Name(), exported.description().frame);
+    ASSERT_EQ(link.CollisionCount(), exported.parts().size());
+    ASSERT_EQ(link.VisualCount(), exported.parts().size());
+    for (std::size_t i = 0; i < exported.parts().size(); ++i) {
+      const sdf::Collision& collision = *link.CollisionByIndex(i);
+      EXPECT_EQ(collision.Name(), partName(i));
+      expectMesh(*collision.Geom(), collision.RawPose(), i, exported);
+      const sdf::Visual& visual = *link.VisualByIndex(i);
+      expectMesh(*visual.Geom(), visual.RawPose(), i, exported);
+      ASSERT_NE(visual.Material(), nullptr);
+      EXPECT_NEAR(visual.Material()->Diffuse().B(), partColour(i).blue / 255.0, 1e-6);
+    }
+  });
+}
+
+TEST(SDFormat, ReservesTheNamesThatWeRefuse)
+{
+  const std::vector<ConvexPart> parts = thinParts(Eigen::Vector3d::Zero()).parts;
+  std::ostringstream text;
+  writeSDF(text, parts, {});
+  const auto has_errors = [&](const std::string& frame) {
+    std::string renamed = text.str();
+    const std::string link = "<link name=\"map\">";
+    renamed.replace(renamed.find(link), link.size(), "<link name=\"" + frame + "\">");
+    sdf::Root root;
+    return !root.LoadSdfString(renamed).empty();
+  };
+  for (const char* const frame : {"world", "__map__", "a::b"}) {
+    EXPECT_TRUE(has_errors(frame)) << frame;
+    EXPECT_THROW(requireFrameForSDF(frame), CIDException) << frame;
+  }
+  for (const char* const frame : {"map",
+                                  "worlds",
+                                  "__map",
+                                  "a:b",
+                                  "k\xC3\xBC"
+                                  "che/1"}) {
+    EXPECT_FALSE(has_errors(frame)) << frame;
+    EXPECT_NO_THROW(requireFrameForSDF(frame)) << frame;
+  }
+}
+
+} // namespace
+} // namespace pcl_cid::test

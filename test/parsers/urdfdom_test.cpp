@@ -1,0 +1,97 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * URDF opened by urdfdom, ROS's parser, and by its tool check_urdf.
+ */
+
+#include "exported_scene.h"
+
+#include <pcl_cid/io/mesh_export.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <urdf_parser/urdf_parser.h>
+
+namespace pcl_cid::test {
+namespace {
+
+/** What a command prints, and how it ends. */
+std::pair<std::string, int>
+outputOf(const std::string& command)
+{
+  FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe))
+    output.append(buffer.data(), count);
+  return {output, pclose(pipe)};
+}
+
+Eigen::Vector3d
+positionOf(const urdf::Pose& pose)
+{
+  return {pose.position.x, pose.position.y, pose.position.z};
+}
+
+/** A shape of the link: which file, where. */
+void
+expectMesh(const urdf::Geometry& geometry,
+           const urdf::Pose& pose,
+           std::size_t part,
+           const ExportedScene& exported)
+{
+  ASSERT_EQ(geometry.type, urdf::Geometry::MESH);
+  const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+  EXPECT_TRUE(std::filesystem::equivalent(exported.referred(mesh.filename),
+                                          exported.mesh(part)))
+      << mesh.filename;
+  EXPECT_EQ(positionOf(pose), exported.description().origin);
+  EXPECT_EQ(mesh.scale.x, 1.0);
+}
+
+TEST(Urdfdom, FindsACollisionAndAVisualForEachPart)
+{
+  forEachExportedScene([](const ExportedScene& exported) {
+    const auto model = urdf::parseURDFFile(exported.file("scene.urdf"));
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->getName(), exported.description().name);
+    ASSERT_EQ(model->links_.size(), 1u);
+    ASSERT_TRUE(model->getRoot());
+    const urdf::Link& link = *model->getRoot();
+    EXPECT_EQ(link.name, exported.description().frame);
+    ASSERT_EQ(link.collision_array.size(), exported.parts().size());
+    ASSERT_EQ(link.visual_array.size(), exported.parts().size());
+    for (std::size_t i = 0; i < exported.parts().size(); ++i) {
+      const urdf::Collision& collision = *link.collision_array[i];
+      EXPECT_EQ(collision.name, partName(i));
+      expectMesh(*collision.geometry, collision.origin, i, exported);
+      const urdf::Visual& visual = *link.visual_array[i];
+      expectMesh(*visual.geometry, visual.origin, i, exported);
+      ASSERT_TRUE(visual.material);
+      EXPECT_NEAR(visual.material->color.g, partColour(i).green / 255.0, 1e-6);
+      EXPECT_EQ(visual.material->color.a, 1.0f);
+    }
+  });
+}
+
+TEST(Urdfdom, HasNothingAgainstTheFileInItsTool)
+{
+  forEachExportedScene([](const ExportedScene& exported) {
+    const auto [output, status] =
+        outputOf(PCL_CID_CHECK_URDF " \"" + exported.file("scene.urdf") + "\"");
+    EXPECT_EQ(status, 0) << output;
+    EXPECT_NE(output.find("Successfully Parsed XML"), std::string::npos) << output;
+    EXPECT_NE(output.find("root Link: survey"), std::string::npos) << output;
+    EXPECT_EQ(output.find("Error"), std::string::npos) << output;
+    EXPECT_EQ(output.find("Warning"), std::string::npos) << output;
+  });
+}
+
+} // namespace
+} // namespace pcl_cid::test
