@@ -7,6 +7,7 @@
  * pcl_cid_abstract: a scan as convex hulls of its approximately convex parts.
  */
 
+#include "scene_outputs.h"
 #include "tool_run.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
@@ -33,6 +34,7 @@ struct AbstractSettings : Settings {
   double min_thickness = 0.005;
   std::string labels;
   std::string tree;
+  SceneSettings scenes;
 
   bool
   isOBJ() const
@@ -95,6 +97,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
       "(an object for each part, colours in an .mtl beside it), .ply (colour and part\n"
       "number for each face) or .stl.");
   declareMergeOptions(settings, line);
+  declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);
   line.exclude("parts", {"threshold", "merges"});
@@ -104,12 +107,14 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   requireExtension("OUTPUT", settings.output, {".obj", ".ply", ".stl"});
   if (!settings.labels.empty())
     requireExtension("--labels", settings.labels, {".pcd", ".ply"});
+  checkSceneOptions(settings.scenes);
   return true;
 }
 
 void
 announceOutputs(const AbstractSettings& settings, OutputFiles& outputs)
 {
+  announceScenes(settings.scenes, outputs);
   outputs.announce(settings.output);
   if (settings.isOBJ())
     outputs.announce(settings.materials());
@@ -255,6 +260,7 @@ abstract(const AbstractSettings& settings)
     writeLabels(settings, result.parts, cloud, outputs);
   if (!settings.tree.empty())
     outputs.write(settings.tree, [&](std::ostream& s) { s << toJson(result.tree); });
+  writeScenes(settings.scenes, result.parts, console, outputs, report);
   console.end(std::to_string(result.parts.size()) + " parts", "save", report);
   if (!settings.report.empty())
     outputs.write(settings.report, [&](std::ostream& s) { s << toJson(report); });
