@@ -88,6 +88,9 @@ TEST(GeometricShapes, FindsAnObjectForEachPart)
       const auto& mesh = static_cast<const shapes::Mesh&>(*objects[i].shape);
       ASSERT_EQ(mesh.vertex_count, hull.vertices.size());
       ASSERT_EQ(mesh.triangle_count, hull.triangles.size());
+      for (unsigned int t = 0; t < mesh.triangle_count; ++t)
+        for (unsigned int corner = 0; corner < 3; ++corner)
+          EXPECT_EQ(mesh.triangles[3 * t + corner], hull.triangles[t][corner]);
       for (unsigned int v = 0; v < mesh.vertex_count; ++v) {
         const Eigen::Map<const Eigen::Vector3d> vertex(mesh.vertices + 3 * v);
         EXPECT_LT((objects[i].pose * vertex - hull.vertices[v]).norm(), 1e-9);
