@@ -76,7 +76,8 @@ TEST(CIDConvexAbstraction, EachCutGivesThatManyPartsAndAPartition)
       finite.push_back(i);
   Abstraction abstraction = abstractionFor(toCloud(points));
   std::vector<pcl::PointIndices> parts;
-  abstraction.segment(parts); // the default merges nothing
+  abstraction.setNumberOfMerges(0);
+  abstraction.segment(parts);
   EXPECT_EQ(parts.size(), 10u);
   expectPartition(parts, finite);
   abstraction.setNumberOfMerges(3);
@@ -105,6 +106,51 @@ TEST(CIDConvexAbstraction, ReconstructsTheSamePartsThatItSegments)
   ASSERT_EQ(segmented.size(), reconstructed.size());
   for (std::size_t k = 0; k < segmented.size(); ++k)
     EXPECT_EQ(segmented[k].indices, reconstructed[k].indices);
+}
+
+TEST(CIDConvexAbstraction, CutsAtTheElbowUnlessToldWhere)
+{
+  Abstraction abstraction = abstractionFor(toCloud(twoBoxes(600, 105)));
+  std::vector<ConvexPart> parts;
+  std::vector<ConvexPart> at_elbow;
+  abstraction.reconstruct(parts);
+  abstraction.reconstruct(abstraction.getMergeTree().cutAtElbow(), at_elbow);
+  EXPECT_GE(parts.size(), 2u); // the boxes are apart
+  ASSERT_EQ(parts.size(), at_elbow.size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    EXPECT_EQ(parts[k].indices, at_elbow[k].indices);
+}
+
+TEST(CIDConvexAbstraction, DropsSmallPartsAndSaysHowManyPoints)
+{
+  Points points = twoBoxes(600, 106);
+  points.push_back({50.0f, 0.0f, 0.0f}); // a speck of two
+  points.push_back({50.0f, 0.001f, 0.0f});
+  Abstraction abstraction = abstractionFor(toCloud(points));
+  abstraction.setNumberOfParts(3);
+  std::vector<ConvexPart> all;
+  abstraction.reconstruct(all);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(abstraction.getNumberOfDroppedPoints(), 0u);
+  abstraction.setMinPoints(3);
+  std::vector<ConvexPart> kept;
+  abstraction.reconstruct(kept);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(abstraction.getNumberOfDroppedPoints(), 2u);
+  all.erase(
+      std::remove_if(all.begin(),
+                     all.end(),
+                     [](const ConvexPart& part) { return part.indices.size() < 3; }),
+      all.end());
+  ASSERT_EQ(all.size(), 2u);
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    EXPECT_EQ(kept[k].indices, all[k].indices);
+  std::vector<pcl::PointIndices> segmented;
+  abstraction.segment(segmented);
+  EXPECT_EQ(segmented.size(), 2u);
+  abstraction.setMinPoints(1000);
+  EXPECT_THROW(abstraction.reconstruct(kept), CIDException);
+  EXPECT_THROW(abstraction.setMinPoints(0), CIDException);
 }
 
 TEST(CIDConvexAbstraction, OneTreeServesEveryCut)

@@ -7,7 +7,9 @@
  * pcl_cid_abstract: a scan as convex hulls of its approximately convex parts.
  */
 
+#include "hull_verification.h"
 #include "scene_outputs.h"
+#include "tightness_curve.h"
 #include "tool_run.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
@@ -31,9 +33,14 @@ struct AbstractSettings : Settings {
   std::optional<double> threshold;
   std::optional<int> merges;
   int group_samples = 16;
-  double min_thickness = 0.005;
+  int min_points = 1;
+  ConvexPartOptions hulls;
+  std::optional<int> max_vertices;
+  double free_distance = TightnessOptions().free_distance;
+  bool verify = false;
   std::string labels;
   std::string tree;
+  std::string curve;
   SceneSettings scenes;
 
   bool
@@ -53,7 +60,8 @@ struct AbstractSettings : Settings {
 void
 declareMergeOptions(AbstractSettings& settings, CommandLine& line)
 {
-  line.group("Parts (without --parts, --threshold and --merges, each group is a part)");
+  line.group("Parts (without --parts, --threshold and --merges, as many as the merges "
+             "themselves suggest)");
   line.optionalNumber("parts",
                       "K",
                       {1, INT_MAX, "a whole number, at least 1"},
@@ -74,16 +82,58 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
               {1, 1 << 20, "a whole number, 1 to 1048576"},
               settings.group_samples,
               "points of each group that its group CIDs are estimated from");
-  line.number("min-thickness",
-              "R",
-              {DBL_MIN, 1e15, "a number of metres above 0"},
-              settings.min_thickness,
-              "least thickness of a hull, metres; thinner parts are thickened");
+  line.number("min-points",
+              "N",
+              {1, INT_MAX, "a whole number, at least 1"},
+              settings.min_points,
+              "drop parts of fewer points; no hull covers those");
   line.text("labels",
             "FILE",
             settings.labels,
             "write INPUT (.pcd or .ply) with the number of the part + 1 as label");
   line.text("tree", "FILE.json", settings.tree, "write all merges, in order");
+  line.text("curve",
+            "FILE.csv",
+            settings.curve,
+            "write how tightly hulls fit for many numbers of parts");
+}
+
+void
+declareHullOptions(AbstractSettings& settings, CommandLine& line)
+{
+  const Allowed<double> length = {0.0, 1e15, "a number of metres, 0 or more"};
+  line.group("Hulls");
+  line.number("min-thickness",
+              "R",
+              {1e-15, 1e15, "a number of metres above 0"},
+              settings.hulls.min_thickness,
+              "least thickness of a hull, metres; thinner parts are thickened");
+  line.optionalNumber("max-vertices",
+                      "N",
+                      {4, INT_MAX, "a whole number, at least 4"},
+                      settings.max_vertices,
+                      "most vertices of a hull; larger ones are simplified outward");
+  line.number("padding",
+              "R",
+              length,
+              settings.hulls.padding,
+              "grow hulls outward by this, metres");
+  line.number("trim-distance",
+              "R",
+              length,
+              settings.hulls.trim_distance,
+              "leave stray points out of hulls: clusters that are farther than this "
+              "from the bulk of their part, metres; 0 for none");
+  line.number("free-distance",
+              "R",
+              {1e-15, 1e15, "a number of metres above 0"},
+              settings.free_distance,
+              "for --report and --curve: space farther than this from the scan is "
+              "free, metres");
+  line.flag("verify",
+            settings.verify,
+            "read the meshes again and check what hulls guarantee; nothing is written "
+            "when one fails");
 }
 
 bool
@@ -97,6 +147,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
       "(an object for each part, colours in an .mtl beside it), .ply (colour and part\n"
       "number for each face) or .stl.");
   declareMergeOptions(settings, line);
+  declareHullOptions(settings, line);
   declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);
@@ -118,7 +169,8 @@ announceOutputs(const AbstractSettings& settings, OutputFiles& outputs)
   outputs.announce(settings.output);
   if (settings.isOBJ())
     outputs.announce(settings.materials());
-  for (const std::string& path : {settings.labels, settings.tree, settings.report})
+  for (const std::string& path :
+       {settings.labels, settings.tree, settings.curve, settings.report})
     if (!path.empty())
       outputs.announce(path);
 }
@@ -134,8 +186,10 @@ configureMerging(const AbstractSettings& settings,
   if (settings.merges)
     abstraction.setNumberOfMerges(*settings.merges);
   abstraction.setGroupSampleSize(settings.group_samples);
-  abstraction.setMinThickness(settings.min_thickness);
-  abstraction.setStopAtCut(settings.tree.empty());
+  abstraction.setMinPoints(settings.min_points);
+  abstraction.setHullOptions(settings.hulls);
+  abstraction.setMaxVertices(settings.max_vertices.value_or(0));
+  abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
 }
 
 void
@@ -148,13 +202,43 @@ addParameters(const AbstractSettings& settings, Report& report)
   if (settings.merges)
     report.parameters.push_back({"merges", std::int64_t{*settings.merges}});
   report.parameters.push_back({"group_samples", std::int64_t{settings.group_samples}});
-  report.parameters.push_back({"min_thickness", settings.min_thickness});
+  report.parameters.push_back({"min_points", std::int64_t{settings.min_points}});
+  report.parameters.push_back({"min_thickness", settings.hulls.min_thickness});
+  if (settings.max_vertices)
+    report.parameters.push_back({"max_vertices", std::int64_t{*settings.max_vertices}});
+  report.parameters.push_back({"padding", settings.hulls.padding});
+  report.parameters.push_back({"trim_distance", settings.hulls.trim_distance});
+  report.parameters.push_back({"free_distance", settings.free_distance});
 }
 
 struct Abstraction {
   std::vector<ConvexPart> parts;
   MergeTree tree;
+  ConvexPartOptions hull_options;
+  std::size_t dropped_points = 0;
+  std::vector<CurvePoint> curve;
 };
+
+/** How tightly the hulls fit, for the report, and over all cuts, when asked for. */
+void
+measureTightness(const AbstractSettings& settings,
+                 const CloudPoints& points,
+                 CIDConvexAbstraction<pcl::PointXYZ>& abstraction,
+                 Console& console,
+                 Report& report,
+                 Abstraction& result)
+{
+  if (settings.report.empty() && settings.curve.empty())
+    return;
+  console.begin("Measuring hulls");
+  const TightnessMeter meter =
+      makeMeter(points, settings.free_distance, settings.threads, console);
+  report.tightness = meter.measure(result.parts);
+  if (!settings.curve.empty())
+    result.curve = tightnessCurve(meter, abstraction);
+  console.end(
+      percent(report.tightness->all.free_share) + " free space", "tightness", report);
+}
 
 Abstraction
 makeParts(const AbstractSettings& settings,
@@ -180,19 +264,24 @@ makeParts(const AbstractSettings& settings,
   result.tree = abstraction.getMergeTree();
   abstraction.reconstruct(result.tree.cut(abstraction.getMergeCut()), result.parts);
   console.end(std::to_string(result.parts.size()) + " hulls", "hulls", report);
-  translate(points.offset, result.parts);
+  result.hull_options = abstraction.getHullOptions();
+  result.dropped_points = abstraction.getNumberOfDroppedPoints();
   report.parameters = parametersOf(settings, abstraction);
   describeProposal(proposal, points, report);
+  measureTightness(settings, points, abstraction, console, report, result);
+  translate(points.offset, result.parts);
   return result;
 }
 
 void
-printParts(const std::vector<ConvexPart>& parts, const Console& console)
+printParts(const Abstraction& result, const Report& report, const Console& console)
 {
   double volume = 0.0;
   std::size_t thickened = 0;
   std::size_t boxed = 0;
-  for (const ConvexPart& part : parts) {
+  std::size_t trimmed = 0;
+  for (const ConvexPart& part : result.parts) {
+    trimmed += part.trimmed.size();
     volume += part.volume;
     thickened += part.thickened ? 1 : 0;
     boxed += part.boxed ? 1 : 0;
@@ -201,6 +290,15 @@ printParts(const std::vector<ConvexPart>& parts, const Console& console)
   console.value("Thickened", std::to_string(thickened));
   if (boxed > 0)
     console.value("Boxes instead of hulls", std::to_string(boxed));
+  if (trimmed > 0)
+    console.value("Stray points trimmed", std::to_string(trimmed));
+  if (result.dropped_points > 0)
+    console.value("Points in parts that were dropped, not covered",
+                  std::to_string(result.dropped_points));
+  if (report.tightness)
+    console.value("Hull concavity",
+                  shortNumber(report.tightness->all.max_concavity) + " metres, mean " +
+                      shortNumber(report.tightness->all.mean_concavity));
 }
 
 void
@@ -237,6 +335,22 @@ writeLabels(const AbstractSettings& settings,
   });
 }
 
+/** Check what hulls guarantee on the meshes as they are on the disk. */
+void
+verify(const AbstractSettings& settings,
+       const Verification& verification,
+       const SceneDescription& scene,
+       Console& console,
+       OutputFiles& outputs,
+       Report& report)
+{
+  console.begin("Verifying " + settings.output);
+  verifyMesh(settings.output, verification, outputs);
+  if (const std::string folder = settings.scenes.partsFolder(); !folder.empty())
+    verifyParts(folder, scene, verification, outputs);
+  console.end("all guarantees hold", "verify", report);
+}
+
 void
 abstract(const AbstractSettings& settings)
 {
@@ -252,7 +366,8 @@ abstract(const AbstractSettings& settings)
   addParameters(settings, report);
   report.parts = &result.parts;
   console.value("Coverage", shortNumber(report.coverage.back()) + " metres");
-  printParts(result.parts, console);
+  report.dropped_points = result.dropped_points;
+  printParts(result, report, console);
 
   console.begin("Saving " + settings.output);
   writeMesh(settings, result.parts, outputs);
@@ -260,8 +375,19 @@ abstract(const AbstractSettings& settings)
     writeLabels(settings, result.parts, cloud, outputs);
   if (!settings.tree.empty())
     outputs.write(settings.tree, [&](std::ostream& s) { s << toJson(result.tree); });
-  writeScenes(settings.scenes, result.parts, console, outputs, report);
+  if (!settings.curve.empty())
+    outputs.write(settings.curve,
+                  [&](std::ostream& s) { writeCurve(s, result.curve); });
+  const SceneDescription scene =
+      writeScenes(settings.scenes, result.parts, console, outputs, report);
   console.end(std::to_string(result.parts.size()) + " parts", "save", report);
+  if (settings.verify)
+    verify(settings,
+           {result.parts, points, result.hull_options},
+           scene,
+           console,
+           outputs,
+           report);
   if (!settings.report.empty())
     outputs.write(settings.report, [&](std::ostream& s) { s << toJson(report); });
   outputs.commit();

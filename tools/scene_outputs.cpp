@@ -149,7 +149,7 @@ announceScenes(const SceneSettings& settings, OutputFiles& outputs)
     outputs.announce(scene.path);
 }
 
-void
+SceneDescription
 writeScenes(const SceneSettings& settings,
             const std::vector<ConvexPart>& parts,
             const Console& console,
@@ -158,9 +158,9 @@ writeScenes(const SceneSettings& settings,
 {
   const std::string folder = settings.partsFolder();
   const std::vector<SceneOutput> scenes = scenesOf(settings);
-  if (folder.empty() && scenes.empty())
-    return;
   SceneDescription description;
+  if (folder.empty() && scenes.empty())
+    return description;
   description.frame = settings.frame;
   description.origin = sceneOrigin(parts);
   description.mesh_format = static_cast<PartFormat>(settings.parts_format);
@@ -177,6 +177,7 @@ writeScenes(const SceneSettings& settings,
     console.value("Origin of the parts' meshes", origin + " metres");
   report.parameters.push_back({"frame", settings.frame});
   report.parameters.push_back({"meshes_origin", origin});
+  return description;
 }
 
 } // namespace pcl_cid::tools

@@ -51,8 +51,9 @@ announceScenes(const SceneSettings& settings, OutputFiles& outputs);
 
 /** \brief Write the scenes and the meshes of the parts; what an earlier run left in
  *  their folder goes with the commit. An origin that was subtracted from the meshes is
- *  told to the user and the report. */
-void
+ *  told to the user and the report.
+ *  \return with the origin and the format of the meshes */
+SceneDescription
 writeScenes(const SceneSettings& settings,
             const std::vector<ConvexPart>& parts,
             const Console& console,

@@ -32,9 +32,9 @@ namespace pcl_cid {
  *
  *  The merge tree is computed once and can be cut anywhere: getMergeTree(), then
  *  reconstruct(cut, parts) for each cut. Parts are ordered by their lowest group; every
- *  finite, selected point belongs to exactly one. See CIDBase for the input, errors,
- *  determinism and thread safety.
- *  \ingroup segmentation */
+ *  finite, selected point belongs to exactly one, unless small parts are dropped. See
+ * CIDBase for the input, errors, determinism and thread safety. \ingroup segmentation
+ */
 template <typename PointT>
 class CIDConvexAbstraction : public CIDBase<PointT> {
 public:
@@ -42,7 +42,8 @@ public:
   using ConstPtr = pcl::shared_ptr<const CIDConvexAbstraction<PointT>>;
 
   /** \brief Merge until this many parts remain (K'): at least 1. The last of the three
-   *  setters called counts; the default is no merge. */
+   *  setters called counts; without any, the tree says where (MergeTree::cutAtElbow).
+   */
   void
   setNumberOfParts(int number_of_parts);
 
@@ -53,6 +54,25 @@ public:
   /** \brief Merge this many times (T): 0 or more. */
   void
   setNumberOfMerges(int number_of_merges);
+
+  /** \brief Drop parts of fewer points than this: at least 1; default 1, which drops
+   *  none. Their points are in no part and no hull covers them; see
+   *  getNumberOfDroppedPoints(). */
+  void
+  setMinPoints(int min_points);
+
+  int
+  getMinPoints() const
+  {
+    return min_points_;
+  }
+
+  /** \brief Points in the parts that the last segment() or reconstruct() dropped. */
+  std::size_t
+  getNumberOfDroppedPoints() const
+  {
+    return dropped_points_;
+  }
 
   const MergeCut&
   getMergeCut() const
@@ -83,6 +103,18 @@ public:
   getGroupSampleSize() const
   {
     return group_sample_size_;
+  }
+
+  /** \brief How hulls are made, all options at once; they are as before when one is
+   *  out of its range.
+   *  \throws CIDException */
+  void
+  setHullOptions(const ConvexPartOptions& hull_options);
+
+  const ConvexPartOptions&
+  getHullOptions() const
+  {
+    return hull_options_;
   }
 
   /** \brief Least thickness of a hull (see ConvexPartOptions): metres, above 0; default
@@ -174,14 +206,14 @@ private:
 
   /** \brief The part of each point of the input cloud, -1 for none. */
   std::vector<int>
-  partOfEachPoint(const std::vector<int>& cut) const;
+  partOfEachPoint(const std::vector<int>& cut);
 
-  /** \brief Take over options of hulls, unless one is out of its range. */
+  /** \brief Take parts of too few points out and close the gaps in the numbers. */
   void
-  setHullOptions(const ConvexPartOptions& hull_options);
+  dropSmallParts(std::vector<int>& part);
 
   std::vector<ConvexPart>
-  makeHulls(const std::vector<int>& cut, const ExecutionOptions& execution) const;
+  makeHulls(const std::vector<int>& cut, const ExecutionOptions& execution);
 
   GroupMergingOptions
   mergingOptions(std::size_t groups) const;
@@ -189,6 +221,8 @@ private:
   MergeCut merge_cut_;
   bool stop_at_cut_ = false;
   int group_sample_size_ = 16;
+  int min_points_ = 1;
+  std::size_t dropped_points_ = 0;
   ConvexPartOptions hull_options_;
   SeedProposal proposal_;
   MergeTree merge_tree_;

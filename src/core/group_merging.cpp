@@ -16,7 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -287,83 +287,6 @@ knownHeight(const std::vector<MergeStep>& steps,
 }
 
 } // namespace
-
-MergeTree::MergeTree(std::vector<std::size_t> group_sizes,
-                     std::vector<MergeStep> steps,
-                     double known_height)
-: group_sizes_(std::move(group_sizes))
-, steps_(std::move(steps))
-, known_height_(known_height)
-{
-}
-
-std::vector<int>
-MergeTree::cutAfterMerges(std::size_t merges) const
-{
-  if (numberOfGroups() > 0)
-    requireKnown(std::min(merges, numberOfGroups() - 1) <= steps_.size(),
-                 sentence("after ", merges, " merges"));
-  std::vector<int> joined_into(numberOfGroups());
-  std::iota(joined_into.begin(), joined_into.end(), 0);
-  for (std::size_t n = 0; n < std::min(merges, steps_.size()); ++n)
-    joined_into[static_cast<std::size_t>(steps_[n].second)] = steps_[n].first;
-
-  // A group joins one of lower number, so the part of that one is known already.
-  std::vector<int> part(numberOfGroups());
-  int parts = 0;
-  for (std::size_t g = 0; g < part.size(); ++g) {
-    const auto into = static_cast<std::size_t>(joined_into[g]);
-    part[g] = into == g ? parts++ : part[into];
-  }
-  return part;
-}
-
-void
-MergeTree::requireKnown(bool known, const std::string& cut) const
-{
-  if (!known)
-    throw CIDException(sentence("the merge tree has ",
-                                steps_.size(),
-                                " of ",
-                                numberOfGroups() - 1,
-                                " merges, since it was stopped early; a cut ",
-                                cut,
-                                " needs more of them"));
-}
-
-std::vector<int>
-MergeTree::cutAtParts(std::size_t parts) const
-{
-  requireAtLeast("number of parts", parts, std::size_t{1});
-  const std::size_t groups = numberOfGroups();
-  const std::size_t merges = groups > parts ? groups - parts : 0;
-  requireKnown(merges <= steps_.size(), sentence("at ", parts, " parts"));
-  return cutAfterMerges(merges);
-}
-
-std::vector<int>
-MergeTree::cutAtHeight(double threshold) const
-{
-  requireNotNegative("merge threshold", threshold, "metres");
-  requireKnown(threshold <= known_height_, sentence("at ", threshold, " metres"));
-  std::size_t merges = 0;
-  while (merges < steps_.size() && steps_[merges].height <= threshold)
-    ++merges;
-  return cutAfterMerges(merges);
-}
-
-std::vector<int>
-MergeTree::cut(const MergeCut& where) const
-{
-  switch (where.rule) {
-  case MergeCut::Rule::parts:
-    return cutAtParts(where.count);
-  case MergeCut::Rule::threshold:
-    return cutAtHeight(where.height);
-  default:
-    return cutAfterMerges(where.count);
-  }
-}
 
 MergeTree
 mergeGroups(const DistanceField& field,

@@ -147,6 +147,12 @@ OutputFiles::write(const std::string& path,
                        ": could not be written in full: " + std::strerror(errno));
 }
 
+std::string
+OutputFiles::pathBeforeCommit(const std::string& path)
+{
+  return find(path).partial;
+}
+
 void
 OutputFiles::commit()
 {

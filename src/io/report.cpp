@@ -70,19 +70,41 @@ scoreOf(const LabelScore& score)
           {"share_right_labelled", score.shareOfLabelled()}};
 }
 
+void
+addTightness(const HullTightness& tightness, Json& json)
+{
+  json["max_concavity"] = tightness.max_concavity;
+  json["mean_concavity"] = tightness.mean_concavity;
+  json["free_share"] = tightness.free_share;
+}
+
 Json
-partsOf(const std::vector<ConvexPart>& parts)
+tightnessOf(const Tightness& tightness)
+{
+  Json json = {{"volume", tightness.volume}, {"free_volume", tightness.free_volume}};
+  addTightness(tightness.all, json);
+  return json;
+}
+
+Json
+partsOf(const Report& report)
 {
   Json list = Json::array();
-  for (const ConvexPart& part : parts)
-    list.push_back({{"points", part.indices.size()},
-                    {"vertices", part.hull.vertices.size()},
-                    {"triangles", part.hull.triangles.size()},
-                    {"volume", part.volume},
-                    {"area", part.area},
-                    {"thickness", part.thickness},
-                    {"thickened", part.thickened},
-                    {"boxed", part.boxed}});
+  for (std::size_t k = 0; k < report.parts->size(); ++k) {
+    const ConvexPart& part = (*report.parts)[k];
+    Json json = {{"points", part.indices.size()},
+                 {"trimmed", part.trimmed},
+                 {"vertices", part.hull.vertices.size()},
+                 {"triangles", part.hull.triangles.size()},
+                 {"volume", part.volume},
+                 {"area", part.area},
+                 {"thickness", part.thickness},
+                 {"thickened", part.thickened},
+                 {"boxed", part.boxed}};
+    if (report.tightness)
+      addTightness(report.tightness->hulls[k], json);
+    list.push_back(std::move(json));
+  }
   return list;
 }
 
@@ -173,8 +195,12 @@ toJson(const Report& report)
   json["seeds"] = seedsOf(report);
   if (report.score)
     json["score"] = scoreOf(*report.score);
-  if (report.parts)
-    json["parts"] = partsOf(*report.parts);
+  if (report.parts) {
+    json["parts"] = partsOf(report);
+    json["points"]["dropped"] = report.dropped_points;
+  }
+  if (report.tightness)
+    json["tightness"] = tightnessOf(*report.tightness);
   json["seconds"] = secondsOf(report);
   json["peak_memory_bytes"] = peakMemoryBytes();
   return print(json);

@@ -232,6 +232,39 @@ TEST(GroupMerging, AgreesWithTheOracleOnCropsOfRealScans)
   }
 }
 
+/** A tree that joins group after group to the first one, at these heights. */
+MergeTree
+chainOf(const std::vector<double>& heights)
+{
+  std::vector<MergeStep> steps;
+  for (std::size_t n = 0; n < heights.size(); ++n)
+    steps.push_back({0, static_cast<int>(n) + 1, heights[n], n + 2});
+  return MergeTree(std::vector<std::size_t>(heights.size() + 1, 1), steps);
+}
+
+TEST(GroupMerging, ElbowIsAfterTheCheapMerges)
+{
+  const std::vector<double> heights = {1.0, 1.1, 1.1, 1.2, 1.3, 4.0, 7.0, 9.0};
+  EXPECT_EQ(partsOf(chainOf(heights).cutAtElbow()), 4); // five merges of 9 groups
+  EXPECT_EQ(partsOf(chainOf(heights).cut(MergeCut())), 4);
+  std::vector<double> in_millimetres = heights;
+  for (double& height : in_millimetres)
+    height *= 1000.0;
+  EXPECT_EQ(partsOf(chainOf(in_millimetres).cutAtElbow()), 4);
+}
+
+TEST(GroupMerging, ElbowOfFewOrEqualMerges)
+{
+  EXPECT_EQ(partsOf(chainOf({}).cutAtElbow()), 1);
+  EXPECT_EQ(partsOf(chainOf({0.1}).cutAtElbow()), 2);
+  EXPECT_EQ(partsOf(chainOf({0.1, 5.0}).cutAtElbow()), 3);
+  EXPECT_EQ(partsOf(chainOf({0.1, 0.1, 0.1, 0.1}).cutAtElbow()), 1);
+  EXPECT_TRUE(MergeTree().cutAtElbow().empty());
+  const std::vector<MergeStep> first_of_three = {{0, 1, 0.1, 2}};
+  const MergeTree stopped({1, 1, 1, 1}, first_of_three, 0.2);
+  EXPECT_THROW(stopped.cutAtElbow(), CIDException);
+}
+
 TEST(GroupMerging, TwoObjectsAreTheLastToMerge)
 {
   const Points points = twoBoxes(400, 41);

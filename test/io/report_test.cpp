@@ -68,6 +68,7 @@ TEST(ReportTest, HoldsTheFiguresOfHulls)
 {
   ConvexPart part;
   part.indices = {1, 2, 3};
+  part.trimmed = {7, 9};
   part.hull.vertices.resize(4);
   part.hull.triangles.resize(4);
   part.volume = 1.5;
@@ -81,6 +82,7 @@ TEST(ReportTest, HoldsTheFiguresOfHulls)
   ASSERT_EQ(json.size(), 1u);
   EXPECT_EQ(json[0],
             (nlohmann::json{{"points", 3},
+                            {"trimmed", {7, 9}},
                             {"vertices", 4},
                             {"triangles", 4},
                             {"volume", 1.5},

@@ -9,7 +9,9 @@
 
 #include "tool_process.h"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -103,7 +105,7 @@ TEST_F(AbstractTool, WritesTheSameMeshInEveryFormat)
 
 TEST_F(AbstractTool, CutsByPartsThresholdAndMerges)
 {
-  abstract({scan_, file("all.obj"), "--tree", file("tree.json")});
+  abstract({scan_, file("all.obj"), "--merges", "0", "--tree", file("tree.json")});
   EXPECT_EQ(objectsOf(readText(file("all.obj"))).size(), 12u);
   const nlohmann::json steps = json("tree.json")["steps"];
   ASSERT_EQ(steps.size(), 11u);
@@ -119,6 +121,113 @@ TEST_F(AbstractTool, CutsByPartsThresholdAndMerges)
   const auto body = [](const std::string& obj) { return obj.substr(obj.find('\n')); };
   EXPECT_EQ(body(readText(file("merges.obj"))), body(readText(file("parts.obj"))));
   EXPECT_EQ(body(readText(file("threshold.obj"))), body(readText(file("parts.obj"))));
+}
+
+TEST_F(AbstractTool, ChoosesThePartsItselfWhenNotTold)
+{
+  abstract(
+      {scan_, file("a.ply"), "--tree", file("tree.json"), "--report", file("a.json")});
+  const std::size_t groups = json("tree.json")["group_sizes"].size();
+  const std::size_t parts = json("a.json")["parts"].size();
+  EXPECT_GT(parts, 1u);
+  EXPECT_LT(parts, groups);
+}
+
+TEST_F(AbstractTool, ReportsHowTightlyHullsFit)
+{
+  abstract({scan_, file("few.ply"), "--parts", "2", "--report", file("few.json")});
+  abstract({scan_, file("many.ply"), "--parts", "12", "--report", file("many.json")});
+  for (const char* name : {"few.json", "many.json"}) {
+    const nlohmann::json report = json(name);
+    const double largest = report["tightness"]["max_concavity"];
+    double largest_of_parts = 0.0;
+    for (const nlohmann::json& part : report["parts"]) {
+      EXPECT_LE(part["mean_concavity"], part["max_concavity"]);
+      EXPECT_GE(part["free_share"], 0.0);
+      EXPECT_LE(part["free_share"], 1.0);
+      largest_of_parts =
+          std::max(largest_of_parts, part["max_concavity"].get<double>());
+    }
+    EXPECT_EQ(largest, largest_of_parts);
+  }
+  EXPECT_LT(json("many.json")["tightness"]["free_volume"],
+            json("few.json")["tightness"]["free_volume"]);
+}
+
+TEST_F(AbstractTool, CurveTradesPartsForTightness)
+{
+  abstract({scan_, file("hulls.ply"), "--curve", file("curve.csv")});
+  std::istringstream lines(readText(file("curve.csv")));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line,
+            "parts,height,vertices,max_concavity,mean_concavity,free_share,"
+            "free_volume,volume");
+  std::size_t parts = 13; // one more than there are groups
+  double height = -1.0;
+  double volume = 0.0;
+  while (std::getline(lines, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream numbers(line);
+    std::size_t fewer_parts = 0, vertices = 0;
+    double higher = 0, largest = 0, mean = 0, share = 0, free = 0, larger_volume = 0;
+    numbers >> fewer_parts >> higher >> vertices >> largest >> mean >> share >> free >>
+        larger_volume;
+    ASSERT_FALSE(numbers.fail()) << line;
+    EXPECT_LT(fewer_parts, parts);
+    EXPECT_GE(higher, height);
+    EXPECT_GE(larger_volume, volume);
+    EXPECT_LE(free, larger_volume);
+    parts = fewer_parts;
+    height = higher;
+    volume = larger_volume;
+  }
+  EXPECT_EQ(parts, 1u);
+}
+
+TEST_F(AbstractTool, DropsSmallPartsAndReportsTheirPoints)
+{
+  abstract({scan_, file("all.ply"), "--parts", "8", "--report", file("all.json")});
+  const nlohmann::json all = json("all.json");
+  std::vector<std::size_t> sizes;
+  for (const nlohmann::json& part : all["parts"])
+    sizes.push_back(part["points"]);
+  std::sort(sizes.begin(), sizes.end());
+  const std::size_t least = sizes[3] + 1; // the four smallest go, and who is as small
+  const auto first_kept = std::lower_bound(sizes.begin(), sizes.end(), least);
+  const std::size_t dropped =
+      std::accumulate(sizes.begin(), first_kept, std::size_t{0});
+
+  abstract({scan_,
+            file("large.ply"),
+            "--parts",
+            "8",
+            "--min-points",
+            std::to_string(least),
+            "--report",
+            file("large.json")});
+  const nlohmann::json report = json("large.json");
+  EXPECT_EQ(report["parts"].size(), std::size_t(sizes.end() - first_kept));
+  EXPECT_EQ(report["points"]["dropped"], dropped);
+}
+
+TEST_F(AbstractTool, VerifiesWhatItWrote)
+{
+  for (const char* name : {"hulls.obj", "hulls.ply", "hulls.stl"})
+    for (const char* format : {"obj", "stl"})
+      abstract({scan_,
+                file(name),
+                "--parts",
+                "12",
+                "--verify",
+                "--padding",
+                "0.01",
+                "--max-vertices",
+                "24",
+                "--parts-dir",
+                file("parts"),
+                "--parts-format",
+                format});
 }
 
 TEST_F(AbstractTool, LabelsPointsByPart)

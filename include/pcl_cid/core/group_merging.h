@@ -36,14 +36,16 @@ struct MergeStep {
   std::size_t size;
 };
 
-/** \brief Where a merge tree is cut: the three stops of Algorithm 2. */
+/** \brief Where a merge tree is cut: the three stops of Algorithm 2, and one that the
+ *  tree itself proposes. */
 struct MergeCut {
   enum class Rule {
+    elbow,    ///< where merges begin to get dear: cutAtElbow()
     merges,   ///< after `count` merges (T)
     parts,    ///< when `count` parts remain (K')
     threshold ///< when the smallest CID_g exceeds `height` metres
   };
-  Rule rule = Rule::merges;
+  Rule rule = Rule::elbow;
   std::size_t count = 0;
   double height = 0.0;
 };
@@ -106,7 +108,19 @@ public:
   std::vector<int>
   cutAtHeight(double threshold) const;
 
-  /** \brief The part of each group by whichever of the three rules. */
+  /** \brief The part of each group where the tree itself bends (*ours*): after merges
+   *  that cost little more than the first one, before those that cost ever more.
+   *
+   *  Drawn over their number, the heights of the merges rise slowly while groups of one
+   *  convex piece come together, and steeply once the pieces themselves have to. The
+   *  cut is after the merge that is deepest below the straight line from the first to
+   *  the last. It does not change with the unit of length; fewer than three merges have
+   *  no bend, and none is made; when all are equally dear, all are made.
+   *  \throws CIDException when the tree was stopped early */
+  std::vector<int>
+  cutAtElbow() const;
+
+  /** \brief The part of each group by whichever of the rules. */
   std::vector<int>
   cut(const MergeCut& where) const;
 
@@ -135,8 +149,8 @@ struct GroupMergingOptions {
   std::size_t stop_at_parts = 1;
   double stop_at_height = std::numeric_limits<double>::infinity();
 
-  /** \brief Stop where a cut of the whole tree would be.
-   *  \param[in] cut one of the three
+  /** \brief Stop where a cut of the whole tree would be; the elbow needs all of it.
+   *  \param[in] cut where
    *  \param[in] groups K */
   void
   stopAt(const MergeCut& cut, std::size_t groups)
@@ -145,7 +159,7 @@ struct GroupMergingOptions {
       stop_at_height = cut.height;
     else if (cut.rule == MergeCut::Rule::parts)
       stop_at_parts = cut.count;
-    else
+    else if (cut.rule == MergeCut::Rule::merges)
       stop_at_parts = groups - std::min(cut.count, groups - 1);
   }
   ExecutionOptions execution;

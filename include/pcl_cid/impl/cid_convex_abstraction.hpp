@@ -12,6 +12,7 @@
 #include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/impl/cid_base.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace pcl_cid {
@@ -45,6 +46,16 @@ CIDConvexAbstraction<PointT>::setNumberOfMerges(int number_of_merges)
                        "; it must be 0 or more");
   merge_cut_ = {
       MergeCut::Rule::merges, static_cast<std::size_t>(number_of_merges), 0.0};
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::setMinPoints(int min_points)
+{
+  if (min_points < 1)
+    throw CIDException("the least number of points of a part is " +
+                       std::to_string(min_points) + "; it must be at least 1");
+  min_points_ = min_points;
 }
 
 template <typename PointT>
@@ -141,7 +152,7 @@ CIDConvexAbstraction<PointT>::mergingOptions(std::size_t groups) const
 
 template <typename PointT>
 std::vector<int>
-CIDConvexAbstraction<PointT>::partOfEachPoint(const std::vector<int>& cut) const
+CIDConvexAbstraction<PointT>::partOfEachPoint(const std::vector<int>& cut)
 {
   if (cut.empty() || cut.size() != merge_tree_.numberOfGroups() ||
       proposal_.group.size() != this->input_->size())
@@ -153,7 +164,35 @@ CIDConvexAbstraction<PointT>::partOfEachPoint(const std::vector<int>& cut) const
   for (std::size_t i = 0; i < part.size(); ++i)
     if (proposal_.group[i] >= 0)
       part[i] = cut[static_cast<std::size_t>(proposal_.group[i])];
+  dropSmallParts(part);
   return part;
+}
+
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::dropSmallParts(std::vector<int>& part)
+{
+  std::vector<std::size_t> size;
+  for (const int number : part)
+    if (number >= 0) {
+      size.resize(std::max(size.size(), static_cast<std::size_t>(number) + 1));
+      ++size[static_cast<std::size_t>(number)];
+    }
+  std::vector<int> new_number(size.size(), -1);
+  int kept = 0;
+  for (std::size_t k = 0; k < size.size(); ++k)
+    if (size[k] >= static_cast<std::size_t>(min_points_))
+      new_number[k] = kept++;
+  if (kept == 0)
+    throw CIDException("all " + std::to_string(size.size()) +
+                       " parts have fewer than " + std::to_string(min_points_) +
+                       " points, the least number asked for; choose a smaller one");
+  dropped_points_ = 0;
+  for (int& number : part)
+    if (number >= 0) {
+      number = new_number[static_cast<std::size_t>(number)];
+      dropped_points_ += number < 0 ? 1 : 0;
+    }
 }
 
 template <typename PointT>
@@ -199,7 +238,7 @@ CIDConvexAbstraction<PointT>::reconstruct(const std::vector<int>& cut,
 template <typename PointT>
 std::vector<ConvexPart>
 CIDConvexAbstraction<PointT>::makeHulls(const std::vector<int>& cut,
-                                        const ExecutionOptions& execution) const
+                                        const ExecutionOptions& execution)
 {
   const std::vector<int> part_in_cloud = partOfEachPoint(cut);
   const PointSet points = this->gatherPoints();

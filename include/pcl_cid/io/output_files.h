@@ -68,6 +68,11 @@ public:
   void
   write(const std::string& path, const std::function<void(std::ostream&)>& writer);
 
+  /** \brief Where an output that was written is until commit(), for whoever wants to
+   *  read it again. */
+  std::string
+  pathBeforeCommit(const std::string& path);
+
   /** \brief Let all outputs appear, then remove what was announced for it.
    *  \throws CIDException when one cannot; then none stays. An older file that was
    *  replaced or removed already is lost */

@@ -11,6 +11,7 @@
 
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
+#include <pcl_cid/core/hull_tightness.h>
 #include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
@@ -91,6 +92,10 @@ struct Report {
   std::optional<LabelScore> score;
   /** Parts; not copied, may be null. */
   const std::vector<ConvexPart>* parts = nullptr;
+  /** Points of parts that were dropped for being small: no hull covers them. */
+  std::size_t dropped_points = 0;
+  /** How tightly their hulls fit; it was measured when there is a value. */
+  std::optional<Tightness> tightness;
   std::vector<Step> steps;
 };
 

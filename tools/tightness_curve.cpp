@@ -1,0 +1,86 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * How tightly hulls fit: of one set of parts, and over the cuts of a merge tree.
+ */
+
+#include "tightness_curve.h"
+
+#include <algorithm>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+namespace pcl_cid::tools {
+namespace {
+
+/** From all groups down to 1. */
+std::vector<std::size_t>
+numbersOfParts(std::size_t groups)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t parts = groups; parts > 0;
+       parts -= std::max(parts / 6, std::size_t{1}))
+    numbers.push_back(parts);
+  return numbers;
+}
+
+} // namespace
+
+TightnessMeter
+makeMeter(const CloudPoints& points,
+          double free_distance,
+          unsigned int threads,
+          Console& console)
+{
+  Points coordinates;
+  pcl::Indices source;
+  for (const pcl::PointXYZ& p : *points.points) {
+    source.push_back(static_cast<pcl::index_t>(coordinates.size()));
+    coordinates.push_back(p.getVector3fMap());
+  }
+  TightnessOptions options;
+  options.free_distance = free_distance;
+  options.execution = {threads, console.progress()};
+  return {PointSet(std::move(coordinates), std::move(source)), options};
+}
+
+std::vector<CurvePoint>
+tightnessCurve(const TightnessMeter& meter,
+               CIDConvexAbstraction<pcl::PointXYZ>& abstraction)
+{
+  const MergeTree tree = abstraction.getMergeTree();
+  const std::size_t groups = tree.numberOfGroups();
+  std::vector<CurvePoint> curve;
+  for (const std::size_t parts : numbersOfParts(groups)) {
+    std::vector<ConvexPart> hulls;
+    abstraction.reconstruct(tree.cutAtParts(parts), hulls);
+    CurvePoint point = {hulls.size(), 0.0, 0, meter.measure(hulls)};
+    if (parts < groups)
+      point.height = tree.steps()[groups - parts - 1].height;
+    for (const ConvexPart& part : hulls)
+      point.vertices += part.hull.vertices.size();
+    curve.push_back(std::move(point));
+  }
+  return curve;
+}
+
+void
+writeCurve(std::ostream& stream, const std::vector<CurvePoint>& curve)
+{
+  stream.precision(std::numeric_limits<double>::max_digits10);
+  stream << "parts,height,vertices,max_concavity,mean_concavity,free_share,free_volume,"
+            "volume\n";
+  for (const CurvePoint& point : curve) {
+    const HullTightness& all = point.tightness.all;
+    stream << point.parts << ',' << point.height << ',' << point.vertices << ','
+           << all.max_concavity << ',' << all.mean_concavity << ',' << all.free_share
+           << ',' << point.tightness.free_volume << ',' << point.tightness.volume
+           << '\n';
+  }
+}
+
+} // namespace pcl_cid::tools
