@@ -12,7 +12,6 @@
 #include "scan_hulls.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -36,7 +35,7 @@ using planning::Places;
 /** The robot, metres. */
 constexpr double radius = 0.15;
 
-/** More parts leave more of the free space free, and take longer to look at. */
+/** More parts usually leave more of the free space free, and take longer to look at. */
 constexpr int number_of_parts = 60;
 
 /** A path is checked at places that are at most so far apart, metres. */
