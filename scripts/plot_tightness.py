@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # pcl_cid: Concavity-Induced Distance for point clouds
@@ -7,7 +7,7 @@
 # Picture of the curves that pcl_cid_abstract --curve writes: number of parts against
 # tightness.
 #
-# usage: plot_tightness.py PICTURE.png CURVE.csv ...
+# usage: plot_tightness.py PICTURE.png CURVE.csv ...   (Debian's python3-matplotlib)
 
 import csv
 import sys
