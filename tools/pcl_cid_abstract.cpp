@@ -13,6 +13,7 @@
 #include "tool_run.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/core/hull_guarantees.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/output_files.h>
 
@@ -301,6 +302,21 @@ printParts(const Abstraction& result, const Report& report, const Console& conso
                       shortNumber(report.tightness->all.mean_concavity));
 }
 
+/** STL holds float and has no pose: far from the origin, thin hulls fall flat in it. */
+void
+requireThickInFloat(const std::string& path, const std::vector<ConvexPart>& parts)
+{
+  constexpr double share = 0.25; // of the thickness that rounding may take
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (floatRounding(parts[i].hull) > share * parts[i].thickness)
+      throw CIDException(path +
+                         ": STL rounds coordinates to float, in which the hull "
+                         "of " +
+                         partName(i) +
+                         " would lose its shape so far from the origin; choose .obj or "
+                         ".ply, or --parts-dir with --parts-format stl beside them");
+}
+
 void
 writeMesh(const AbstractSettings& settings,
           const std::vector<ConvexPart>& parts,
@@ -312,8 +328,10 @@ writeMesh(const AbstractSettings& settings,
       writeOBJ(stream, parts, std::filesystem::path(materials).filename().string());
     else if (extensionOf(settings.output) == ".ply")
       writePLY(stream, parts);
-    else
+    else {
+      requireThickInFloat(settings.output, parts);
       writeSTL(stream, parts);
+    }
   });
   if (settings.isOBJ())
     outputs.write(materials, [&](std::ostream& stream) { writeMTL(stream, parts); });

@@ -294,6 +294,13 @@ TEST_F(AbstractTool, PutsHullsWhereTheScanIs)
   // Thin parts were thickened by up to 5 mm.
   EXPECT_LT((hulls.min() - box.min()).cwiseAbs().maxCoeff(), 0.006);
   EXPECT_LT((hulls.max() - box.max()).cwiseAbs().maxCoeff(), 0.006);
+
+  const ToolRun flat =
+      run("pcl_cid_abstract", {file("utm.pcd"), file("hulls.stl"), "--parts", "5"});
+  EXPECT_EQ(flat.exit_code, 1);
+  EXPECT_NE(flat.err.find("STL"), std::string::npos) << flat.err;
+  EXPECT_EQ(folder_.names(),
+            (std::vector<std::string>{"hulls.ply", "scan.pcd", "utm.pcd"}));
 }
 
 TEST_F(AbstractTool, ThickensThinParts)
