@@ -31,11 +31,14 @@ boxOf(const PointSet& scan)
   return box;
 }
 
+/** The field can be cancelled; the progress begins after it. */
 DistanceField::Options
 fieldOptions(const TightnessOptions& options)
 {
   DistanceField::Options field_options;
   field_options.execution.threads = options.execution.threads;
+  if (const ProgressCallback& progress = options.execution.progress)
+    field_options.execution.progress = [&progress](double) { return progress(0.0); };
   return field_options;
 }
 
