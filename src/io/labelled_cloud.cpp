@@ -296,7 +296,8 @@ labelsOf(const LabelledCloud& cloud,
 void
 setLabels(const std::vector<std::uint32_t>& labels,
           LabelType type,
-          LabelledCloud& cloud)
+          LabelledCloud& cloud,
+          const std::string& name)
 {
   if (labels.size() != cloud.size())
     throw CIDException(sentence(cloud.name,
@@ -311,12 +312,12 @@ setLabels(const std::vector<std::uint32_t>& labels,
   to.fields.clear();
   to.point_step = 0;
   for (const pcl::PCLPointField& field : from.fields)
-    if (field.name == "label")
-      addField("label", datatypeOf(type), 1, to);
+    if (field.name == name)
+      addField(name, datatypeOf(type), 1, to);
     else
       addField(field.name, field.datatype, field.count, to);
-  if (!findField(from, "label"))
-    addField("label", datatypeOf(type), 1, to);
+  if (!findField(from, name))
+    addField(name, datatypeOf(type), 1, to);
   to.row_step = to.point_step * to.width;
   to.data.assign(static_cast<std::size_t>(to.point_step) * labels.size(), 0);
 
@@ -325,7 +326,7 @@ setLabels(const std::vector<std::uint32_t>& labels,
     std::uint8_t* const target = to.data.data() + i * to.point_step;
     for (std::size_t f = 0; f < to.fields.size(); ++f) {
       const pcl::PCLPointField& field = to.fields[f];
-      if (field.name == "label")
+      if (field.name == name)
         storeLabel(labels[i], type, target + field.offset);
       else
         std::memcpy(target + field.offset,

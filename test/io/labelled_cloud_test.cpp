@@ -140,6 +140,19 @@ TEST(SetLabels, ReplacesAFieldOfAnotherTypeInItsPlace)
   EXPECT_EQ(valuesOf<float>(cloud.fields, "z"), (std::vector<float>{1, 1, 1}));
 }
 
+TEST(SetLabels, TakesAnotherNameThanLabel)
+{
+  LabelledCloud cloud = threePoints();
+  setLabels({1, 2, 3}, LabelType::U4, cloud);
+  setLabels({9, 9, 9}, LabelType::U4, cloud, "semantic");
+  setLabels({7, 8, 9}, LabelType::U4, cloud, "semantic");
+  EXPECT_EQ(cloud.fields.fields.size(), 5u);
+  EXPECT_EQ(valuesOf<std::uint32_t>(cloud.fields, "label"),
+            (std::vector<std::uint32_t>{1, 2, 3}));
+  EXPECT_EQ(valuesOf<std::uint32_t>(cloud.fields, "semantic"),
+            (std::vector<std::uint32_t>{7, 8, 9}));
+}
+
 TEST(SetLabels, WritesTheTypeThatWasAskedFor)
 {
   LabelledCloud cloud = threePoints();

@@ -100,17 +100,19 @@ labelsOf(const LabelledCloud& cloud,
          const std::string& field,
          const CloudPoints& points);
 
-/** \brief Give the cloud a field `label`, in the place of one that it has, else after
+/** \brief Give the cloud a field of labels, in the place of one that it has, else after
  *  all other fields.
- *  \param[in,out] cloud unchanged when an exception is thrown
  *  \param[in] labels one for each point
  *  \param[in] type of the field
+ *  \param[in,out] cloud unchanged when an exception is thrown
+ *  \param[in] name of the field
  *  \throws CIDException when a label does not fit the type (F4 holds whole numbers up
  *  to 2^24) or there is not one for each point */
 PCL_CID_IO_EXPORT void
 setLabels(const std::vector<std::uint32_t>& labels,
           LabelType type,
-          LabelledCloud& cloud);
+          LabelledCloud& cloud,
+          const std::string& name = "label");
 
 /** \brief The format that a cloud is written in, by the name of the file: ascii stays
  *  ascii, binary PCD stays binary, all else becomes binary compressed for `.pcd` and
