@@ -92,8 +92,9 @@ OutputFiles::~OutputFiles()
   std::error_code error;
   for (const Output& output : outputs_)
     fs::remove(output.partial, error);
-  for (const std::string& folder : made_folders_)
-    fs::remove(folder, error); // only when nobody has put anything into it
+  // Folders in folders first; and only when nobody has put anything into them.
+  for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder)
+    fs::remove(*folder, error);
 }
 
 void

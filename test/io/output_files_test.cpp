@@ -177,6 +177,7 @@ TEST_F(OutputFilesTest, MakeAFolderForThem)
   {
     OutputFiles outputs({});
     outputs.announceFolder(folder + "/");
+    outputs.announceFolder(folder + "/inner");
     outputs.announce(folder + "/a");
     outputs.write(folder + "/a", write_new);
   }
