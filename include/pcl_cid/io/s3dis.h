@@ -1,0 +1,50 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Rooms of the dataset S3DIS, with their instances and classes.
+ */
+
+#pragma once
+
+#include <pcl_cid/io/labelled_cloud.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief Whether a path is a room of S3DIS: a folder with a folder `Annotations`. */
+PCL_CID_IO_EXPORT bool
+isS3DISRoom(const std::string& path);
+
+/** \brief The files that readS3DISRoom() reads: the annotations in their order, then
+ *  the file of the room when there is one. */
+PCL_CID_IO_EXPORT std::vector<std::string>
+s3disRoomFiles(const std::string& folder);
+
+/** \brief Read a room: `Annotations/<class>_<k>.txt`, an instance a file, a line
+ *  `x y z red green blue` a point.
+ *
+ *  The points are those of the annotations, one file after the other by name in natural
+ *  order (chair_2 before chair_10). Fields of the cloud: x y z rgb, `label` (number of
+ *  the file, from 1) and `semantic` (s3disClasses()). A class that S3DIS does not have,
+ *  such as its own `stairs`, becomes clutter.
+ *
+ *  The public files hold some characters that lost one bit (0x20), which makes control
+ *  bytes of digits and blanks. Where giving it back makes a point of the line, the line
+ *  is repaired; else it is left out.
+ *  \param[in] remark is told, one sentence each, what was repaired, left out or passed
+ *  over, with file and line, and when the file of the room holds another number of
+ *  points; may be empty
+ *  \throws CIDException with file and line when there is no annotation, one holds no
+ *  point, or another line is not six numbers, the last three 0 to 255
+ *  \note Cost: below a microsecond a line. */
+PCL_CID_IO_EXPORT LabelledCloud
+readS3DISRoom(const std::string& folder,
+              const std::function<void(const std::string&)>& remark);
+
+} // namespace pcl_cid

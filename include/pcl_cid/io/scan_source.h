@@ -1,0 +1,52 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * A scan from wherever it comes: a file, or a folder of a dataset.
+ */
+
+#pragma once
+
+#include <pcl_cid/io/labelled_cloud.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief What readScan() may need besides a path. */
+struct ScanOptions {
+  /** ScanNet's `scannetv2-labels.combined.tsv`; when empty, it is looked for in the
+   *  folder of the scan and in those above it. */
+  std::string class_table;
+  /** Told what was repaired, left out or assumed, one sentence each with file and line;
+   *  may be empty. */
+  std::function<void(const std::string&)> remark;
+};
+
+/** \brief Whether a path is a folder that readScan() reads: a room of S3DIS or a scan
+ * of ScanNet. */
+PCL_CID_IO_EXPORT bool
+isScanFolder(const std::string& path);
+
+/** \brief Read a PCD or PLY file (readCloud()), a room of S3DIS (readS3DISRoom()) or a
+ *  scan of ScanNet (readScannetScan()).
+ *  \throws CIDException when it is none of them, cannot be read, or is no scan of
+ *  ScanNet although a class table is given */
+PCL_CID_IO_EXPORT LabelledCloud
+readScan(const std::string& path, const ScanOptions& options = {});
+
+/** \brief The files that readScan() reads, as far as they are there: never to be
+ *  written over. */
+PCL_CID_IO_EXPORT std::vector<std::string>
+scanFiles(const std::string& path, const std::string& class_table = "");
+
+/** \brief What to call a scan: the id of a scan of ScanNet, the folder of a room, the
+ *  file without its extension. */
+PCL_CID_IO_EXPORT std::string
+scanName(const std::string& path);
+
+} // namespace pcl_cid

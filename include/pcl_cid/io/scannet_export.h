@@ -1,0 +1,84 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What tools made for ScanNet read: superpoints, and predictions for its benchmark.
+ */
+
+#pragma once
+
+#include <pcl_cid/exceptions.h>
+#include <pcl_cid/pcl_cid_io_export.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <pcl/types.h>
+
+namespace pcl_cid {
+
+/** \brief Write groups as a `segs.json`: superpoints for nets that expect the
+ *  segmentation of a mesh.
+ *  \param[in] scan_id written as `sceneId`
+ *  \param[in] group of each point, from 0; points in none (-1) share a segment of their
+ *  own, numbered after the last group */
+PCL_CID_IO_EXPORT void
+writeSuperpoints(std::ostream& stream,
+                 const std::string& scan_id,
+                 const pcl::Indices& group);
+
+/** \brief An instance that is predicted. */
+struct PredictedInstance {
+  /** Which points: those with this label. */
+  std::uint32_t label;
+  /** Its class, a number of nyu40Classes(). */
+  std::uint32_t semantic;
+  /** Above 0, to 1. */
+  double confidence = 1.0;
+};
+
+/** \brief What was predicted when an annotator, who knows the truth, labelled seeds:
+ *  an instance for each label but 0, with the class of the true instance of this label,
+ *  that is the one most of its points have, the smaller number when two have as many.
+ *  \param[in] labels predicted, one for each point
+ *  \param[in] true_labels the same numbers, as the annotator saw them
+ *  \param[in] true_classes of each point; 0 is none and never the class of an instance
+ *  that has another
+ *  \return in the order of the labels; a label that the truth does not have gets the
+ *  class 0
+ *  \throws CIDException when there is not one of each for each point */
+PCL_CID_IO_EXPORT std::vector<PredictedInstance>
+instancesWithTrueClass(const std::vector<std::uint32_t>& labels,
+                       const std::vector<std::uint32_t>& true_labels,
+                       const std::vector<std::uint32_t>& true_classes);
+
+/** \brief Folder of the masks, beside the list of predictions. */
+constexpr const char* mask_folder = "pred_mask";
+
+/** \brief `scene0000_00_000.txt`.
+ *  \param[in] number of the instance, from 0 */
+PCL_CID_IO_EXPORT std::string
+maskFileName(const std::string& scan_id, std::size_t number);
+
+/** \brief Whether maskFileName() gives this name to some instance of the scan. */
+PCL_CID_IO_EXPORT bool
+isMaskFileName(const std::string& name, const std::string& scan_id);
+
+/** \brief Write the predictions of a scan, `<id>.txt`: a line
+ *  `pred_mask/<id>_NNN.txt <class> <confidence>` for each. */
+PCL_CID_IO_EXPORT void
+writePredictions(std::ostream& stream,
+                 const std::string& scan_id,
+                 const std::vector<PredictedInstance>& instances);
+
+/** \brief Write a mask: a line for each point, 1 when it has the label, else 0. */
+PCL_CID_IO_EXPORT void
+writeMask(std::ostream& stream,
+          const std::vector<std::uint32_t>& labels,
+          std::uint32_t label);
+
+} // namespace pcl_cid
