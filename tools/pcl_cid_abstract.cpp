@@ -143,10 +143,10 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   CommandLine line(
       tool,
       "pcl_cid_abstract INPUT OUTPUT [options]",
-      "Turn a scan into convex hulls. INPUT is a PCD or PLY file; OUTPUT is a mesh: "
-      ".obj\n"
-      "(an object for each part, colours in an .mtl beside it), .ply (colour and part\n"
-      "number for each face) or .stl.");
+      "Turn a scan into convex hulls. INPUT is a PCD or PLY file, a room folder of\n"
+      "S3DIS or a scan folder of ScanNet; OUTPUT is a mesh: .obj (an object for each\n"
+      "part, colours in an .mtl beside it), .ply (colour and part number for each\n"
+      "face) or .stl.");
   declareMergeOptions(settings, line);
   declareHullOptions(settings, line);
   declareSceneOptions(settings.scenes, line);
@@ -375,11 +375,11 @@ abstract(const AbstractSettings& settings)
   Console console(settings.quiet);
   Report report;
   report.tool = tool;
-  OutputFiles outputs({settings.input});
+  OutputFiles outputs(inputFiles(settings));
   announceOutputs(settings, outputs);
 
   CloudPoints points;
-  LabelledCloud cloud = loadCloud(settings.input, console, report, points);
+  LabelledCloud cloud = loadCloud(settings, console, report, points);
   const Abstraction result = makeParts(settings, points, console, report);
   addParameters(settings, report);
   report.parts = &result.parts;

@@ -7,10 +7,12 @@
  * pcl_cid_segment: labels of a few seeds, or groups, for all points of a scan.
  */
 
+#include "scannet_outputs.h"
 #include "tool_run.h"
 
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/io/output_files.h>
+#include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/io/seed_table.h>
 
 #include <ostream>
@@ -26,6 +28,7 @@ struct SegmentSettings : Settings {
   std::string labels;
   std::string labels_from;
   std::string propose;
+  ScannetSettings scannet;
 };
 
 bool
@@ -35,8 +38,11 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
       tool,
       "pcl_cid_segment INPUT OUTPUT [options]",
       "Label every point of a scan by its CID-nearest seed. INPUT is a PCD or PLY "
-      "file;\n"
-      "OUTPUT (.pcd or .ply) has the same points and fields, and the field `label`.\n\n"
+      "file,\n"
+      "a room folder of S3DIS or a scan folder of ScanNet (with their `label` and\n"
+      "`semantic`); OUTPUT (.pcd or .ply) has the same points and fields, and the "
+      "field\n"
+      "`label`.\n\n"
       "  1. pcl_cid_segment scan.pcd groups.pcd --propose seeds.csv\n"
       "  2. fill in the column `label` of seeds.csv (0 for none; empty: not asked)\n"
       "  3. pcl_cid_segment scan.pcd labelled.pcd --labels seeds.csv\n\n"
@@ -50,6 +56,7 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
             settings.labels_from,
             "propose seeds and read their labels from this field of INPUT; prints how "
             "many points then have the label that the field says");
+  declareScannetOptions(settings.scannet, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);
   line.exclude("labels",
@@ -57,12 +64,14 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
   if (!line.parse(argc, argv, {&settings.input, &settings.output}))
     return false;
   requireExtension("OUTPUT", settings.output, {".pcd", ".ply"});
+  checkScannetOptions(settings.scannet, settings.labels_from);
   return true;
 }
 
 void
 announceOutputs(const SegmentSettings& settings, OutputFiles& outputs)
 {
+  announceScannetOutputs(settings.scannet, settings.input, outputs);
   outputs.announce(settings.output);
   if (!settings.propose.empty()) {
     if (holdsLabels(settings.propose))
@@ -74,14 +83,15 @@ announceOutputs(const SegmentSettings& settings, OutputFiles& outputs)
     outputs.announce(settings.report);
 }
 
-/** The labels of all points, and what there is to say about them. */
-std::vector<std::uint32_t>
+/** Label all points of a scan, and say what there is to say about it. */
+void
 propagateLabels(const SegmentSettings& settings,
                 const CloudPoints& points,
-                const std::vector<std::uint32_t>& truth,
                 Console& console,
-                Report& report)
+                Report& report,
+                SegmentedScan& scan)
 {
+  const std::vector<std::uint32_t>& truth = scan.true_labels;
   CIDLabelPropagation<pcl::PointXYZ> propagation;
   configure(settings, points, console, propagation);
   propagation.setInputCloud(points.points);
@@ -94,8 +104,7 @@ propagateLabels(const SegmentSettings& settings,
         [&](pcl::index_t seed) { return truth[static_cast<std::size_t>(seed)]; });
 
   console.begin("Segmenting");
-  std::vector<std::uint32_t> labels;
-  propagation.segment(labels);
+  propagation.segment(scan.labels);
   const SeedProposal& proposal = propagation.getProposal();
   console.end(std::to_string(proposal.seeds.size()) + " seeds", "segment", report);
   report.parameters = parametersOf(settings, propagation);
@@ -105,7 +114,7 @@ propagateLabels(const SegmentSettings& settings,
         !settings.labels.empty() ? propagation.getSeedLabels()[k]
         : !truth.empty()         ? truth[static_cast<std::size_t>(proposal.seeds[k])]
                                  : static_cast<std::uint32_t>(k + 1));
-  return labels;
+  scan.group = proposal.group;
 }
 
 void
@@ -134,25 +143,30 @@ segment(const SegmentSettings& settings)
   Console console(settings.quiet);
   Report report;
   report.tool = tool;
-  OutputFiles outputs({settings.input, settings.labels});
+  std::vector<std::string> inputs = inputFiles(settings);
+  inputs.push_back(settings.labels);
+  OutputFiles outputs(inputs);
   announceOutputs(settings, outputs);
 
   CloudPoints points;
-  LabelledCloud cloud = loadCloud(settings.input, console, report, points);
-  std::vector<std::uint32_t> truth;
+  LabelledCloud cloud = loadCloud(settings, console, report, points);
+  SegmentedScan scan;
+  scan.name = scanName(settings.input);
   if (!settings.labels_from.empty())
-    truth = labelsOf(cloud, settings.labels_from, points);
-  const std::vector<std::uint32_t> labels =
-      propagateLabels(settings, points, truth, console, report);
+    scan.true_labels = labelsOf(cloud, settings.labels_from, points);
+  if (!settings.scannet.submission.empty())
+    scan.true_classes = labelsOf(cloud, "semantic", points);
+  propagateLabels(settings, points, console, report, scan);
   addParameters(settings, report);
   console.value("Coverage", shortNumber(report.coverage.back()) + " metres");
-  if (!truth.empty()) {
-    report.score = scoreLabels(settings.labels_from, labels, truth, points);
+  if (!scan.true_labels.empty()) {
+    report.score =
+        scoreLabels(settings.labels_from, scan.labels, scan.true_labels, points);
     printScore(*report.score, console);
   }
 
   console.begin("Saving " + settings.output);
-  setLabels(labels, settings.labelType(), cloud);
+  setLabels(scan.labels, settings.labelType(), cloud);
   outputs.write(settings.output, [&](std::ostream& stream) {
     writeCloud(stream, cloud, formatFor(settings.output, cloud.format));
   });
@@ -160,6 +174,7 @@ segment(const SegmentSettings& settings)
     outputs.write(settings.propose, [&](std::ostream& stream) {
       writeSeedTable(stream, report.seeds, points);
     });
+  writeScannetOutputs(settings.scannet, scan, console, outputs);
   console.end(std::to_string(cloud.size()) + " points", "save", report);
   if (!settings.report.empty())
     outputs.write(settings.report, [&](std::ostream& s) { s << toJson(report); });

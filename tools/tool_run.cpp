@@ -9,6 +9,8 @@
 
 #include "tool_run.h"
 
+#include <pcl_cid/io/scan_source.h>
+
 #include <algorithm>
 #include <cfloat>
 #include <climits>
@@ -117,6 +119,11 @@ void
 declareRunOptions(Settings& settings, CommandLine& command_line)
 {
   command_line.group("Run");
+  command_line.text("class-table",
+                    "FILE.tsv",
+                    settings.class_table,
+                    "ScanNet's scannetv2-labels.combined.tsv, when INPUT is a scan of "
+                    "ScanNet; default: looked for in INPUT and the folders above it");
   command_line.choice("label-type",
                       "TYPE",
                       {"U4", "I4", "F4"},
@@ -193,6 +200,13 @@ Console::end(const std::string& result, const std::string& name, Report& report)
 }
 
 void
+Console::remark(const std::string& sentence) const
+{
+  if (!quiet_)
+    pcl::console::print_warn("%s\n", sentence.c_str());
+}
+
+void
 Console::value(const std::string& name, const std::string& value) const
 {
   if (quiet_)
@@ -231,14 +245,27 @@ Console::eraseBar()
   bar_drawn_ = false;
 }
 
+std::vector<std::string>
+inputFiles(const Settings& settings)
+{
+  return scanFiles(settings.input, settings.class_table);
+}
+
 LabelledCloud
-loadCloud(const std::string& path,
+loadCloud(const Settings& settings,
           Console& console,
           Report& report,
           CloudPoints& points)
 {
+  const std::string& path = settings.input;
   console.begin("Loading " + path);
-  LabelledCloud cloud = readCloud(path);
+  ScanOptions options;
+  options.class_table = settings.class_table;
+  options.remark = [&](const std::string& sentence) {
+    console.remark(sentence);
+    report.remarks.push_back(sentence);
+  };
+  LabelledCloud cloud = readScan(path, options);
   points = pointsOf(cloud);
   if (points.finite == 0)
     throw CIDException(path + ": none of its " + std::to_string(cloud.size()) +

@@ -28,6 +28,7 @@ namespace pcl_cid::tools {
 struct Settings {
   std::string input;
   std::string output;
+  std::string class_table; ///< of ScanNet; empty: looked for
   std::optional<int> seeds;
   std::optional<double> coverage;
   int samples = 100;
@@ -54,7 +55,8 @@ struct Settings {
 void
 declareSeedOptions(Settings& settings, CommandLine& command_line);
 
-/** \brief Declare the options that stand last: label type, threads, report, quiet. */
+/** \brief Declare the options that stand last: class table, label type, threads,
+ *  report, quiet. */
 void
 declareRunOptions(Settings& settings, CommandLine& command_line);
 
@@ -87,6 +89,11 @@ public:
   void
   end(const std::string& result, const std::string& name, Report& report);
 
+  /** \brief Something that the user should know about the input, to the standard
+   *  error. */
+  void
+  remark(const std::string& sentence) const;
+
   /** \brief "Coverage: 0.05 metres". */
   void
   value(const std::string& name, const std::string& value) const;
@@ -112,10 +119,15 @@ private:
 /** \brief The user, or the system, asked the run to end. */
 class Interrupted : public std::exception {};
 
-/** \brief Load a cloud and its points, with messages.
+/** \brief The files of the input, which outputs must never be written over. */
+std::vector<std::string>
+inputFiles(const Settings& settings);
+
+/** \brief Load the input and its points, with messages; remarks on it go to the user
+ *  and the report.
  *  \throws CIDException when it has no finite point */
 LabelledCloud
-loadCloud(const std::string& path,
+loadCloud(const Settings& settings,
           Console& console,
           Report& report,
           CloudPoints& points);

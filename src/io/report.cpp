@@ -188,6 +188,8 @@ toJson(const Report& report)
   json["tool"] = report.tool;
   json["version"] = PCL_CID_VERSION;
   json["input"] = report.input;
+  if (!report.remarks.empty())
+    json["remarks"] = report.remarks;
   json["parameters"] = parametersOf(report);
   json["points"] = {{"in", report.points_in},
                     {"finite", report.points_finite},

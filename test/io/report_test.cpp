@@ -31,6 +31,7 @@ TEST(ReportTest, HoldsWhatWasPutIn)
   Report report;
   report.tool = "a tool";
   report.input = "a \"file\"\xFF.pcd"; // not UTF-8
+  report.remarks = {"line 3 is left out"};
   report.parameters = {{"seeds", std::int64_t{2}},
                        {"coverage", std::monostate()},
                        {"radius", 0.25},
@@ -43,6 +44,7 @@ TEST(ReportTest, HoldsWhatWasPutIn)
   const nlohmann::json json = nlohmann::json::parse(toJson(report));
   EXPECT_EQ(json["tool"], "a tool");
   EXPECT_EQ(json["version"], PCL_CID_VERSION);
+  EXPECT_EQ(json["remarks"], (std::vector<std::string>{"line 3 is left out"}));
   EXPECT_EQ(json["parameters"]["seeds"], 2);
   EXPECT_TRUE(json["parameters"]["coverage"].is_null());
   EXPECT_EQ(json["parameters"]["radius"], 0.25);
@@ -78,7 +80,9 @@ TEST(ReportTest, HoldsTheFiguresOfHulls)
   const std::vector<ConvexPart> parts{part};
   Report report;
   report.parts = &parts;
-  const nlohmann::json json = nlohmann::json::parse(toJson(report))["parts"];
+  const nlohmann::json whole = nlohmann::json::parse(toJson(report));
+  EXPECT_FALSE(whole.contains("remarks"));
+  const nlohmann::json json = whole["parts"];
   ASSERT_EQ(json.size(), 1u);
   EXPECT_EQ(json[0],
             (nlohmann::json{{"points", 3},

@@ -75,6 +75,8 @@ struct Report {
 
   std::string tool;
   std::string input;
+  /** What was repaired, left out or assumed when the input was read. */
+  std::vector<std::string> remarks;
   std::vector<Parameter> parameters;
   /** Points of the input, those of them that are finite, and those in a group. */
   std::size_t points_in = 0;
