@@ -113,7 +113,10 @@ CommandLine::exclude(const std::string& name, const std::vector<std::string>& ot
 }
 
 bool
-CommandLine::parse(int argc, const char* const* argv, std::vector<std::string*> files)
+CommandLine::parse(int argc,
+                   const char* const* argv,
+                   std::vector<std::string*> files,
+                   const std::string& names)
 {
   if (isThere(argc, argv, {"-h", "--help"})) {
     printHelp();
@@ -148,7 +151,7 @@ CommandLine::parse(int argc, const char* const* argv, std::vector<std::string*> 
       throw UsageError("--" + name + " and --" + other +
                        " exclude each other; give one of them");
   if (given.size() != files.size())
-    throw UsageError("INPUT and OUTPUT are needed, " + std::to_string(files.size()) +
+    throw UsageError(names + " are needed, " + std::to_string(files.size()) +
                      " file names; given: " + std::to_string(given.size()));
   for (std::size_t i = 0; i < files.size(); ++i)
     *files[i] = given[i];

@@ -109,10 +109,14 @@ public:
 
   /** \brief Read a command line, or answer `--help` and `--version`, wherever they
    * stand. \param[out] files what is not an option, exactly as many as asked for
+   *  \param[in] names what the user calls them
    *  \return whether there is work to do
    *  \throws UsageError */
   bool
-  parse(int argc, const char* const* argv, std::vector<std::string*> files);
+  parse(int argc,
+        const char* const* argv,
+        std::vector<std::string*> files,
+        const std::string& names = "INPUT and OUTPUT");
 
 private:
   using Take = std::function<void(const std::string&)>;

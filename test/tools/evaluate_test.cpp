@@ -1,0 +1,409 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * pcl_cid_evaluate: pairs, fields, classes, reports, and what it refuses.
+ */
+
+#include "tool_process.h"
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_cid::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
+
+class EvaluateTool : public ToolTest {
+protected:
+  /** Write points on a line, with fields: one row of values for each point. */
+  void
+  writeScan(const std::string& name,
+            const std::string& fields,
+            const std::vector<std::string>& rows) const
+  {
+    const auto columns = std::count(fields.begin(), fields.end(), ' ') + 1;
+    std::string sizes;
+    std::string types;
+    for (long column = 0; column < columns; ++column) {
+      sizes += " 4";
+      types += " U";
+    }
+    std::string text = "FIELDS x y z " + fields + "\nSIZE 4 4 4" + sizes +
+                       "\nTYPE F F F" + types + "\nPOINTS " +
+                       std::to_string(rows.size()) + "\nDATA ascii\n";
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      text += std::to_string(i) + " 0.5 -2 " + rows[i] + "\n";
+    writeText(file(name), text);
+  }
+
+  /** A truth of two chairs (1: 4 points, 2: 2 points) and a table (3: 2 points), and
+   *  labels of seeds on chair 1 and the table. */
+  void
+  writeChairsAndTable(const std::string& prediction, const std::string& truth) const
+  {
+    writeScan(truth,
+              "label semantic",
+              {"1 9", "1 9", "1 9", "1 9", "2 9", "2 9", "3 8", "3 8"});
+    writeScan(prediction, "label", {"1", "1", "1", "3", "1", "1", "3", "3"});
+  }
+
+  ToolRun
+  evaluate(const Arguments& arguments) const
+  {
+    return run("pcl_cid_evaluate", arguments);
+  }
+
+  /** A run that must succeed; its report. */
+  nlohmann::json
+  reportOf(Arguments arguments) const
+  {
+    arguments.insert(arguments.end(), {"--report", file("report.json")});
+    const ToolRun done = evaluate(arguments);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_EQ(done.err, "");
+    return nlohmann::json::parse(readText(file("report.json")));
+  }
+
+  static nlohmann::json
+  classIn(const nlohmann::json& report, const std::string& name)
+  {
+    for (const nlohmann::json& row : report["classes"])
+      if (row["name"] == name)
+        return row;
+    return nullptr;
+  }
+
+  /** A run must fail with one line that says so, and leave all files as they are. */
+  void
+  expectRefused(const Arguments& arguments, const Arguments& complaints, int code = 1)
+  {
+    const Arguments before = folder_.names();
+    const ToolRun done = evaluate(arguments);
+    EXPECT_EQ(done.exit_code, code) << done.out << done.err;
+    EXPECT_EQ(linesOf(done.err), 1u) << done.err;
+    EXPECT_EQ(done.err.rfind("pcl_cid_evaluate: ", 0), 0u) << done.err;
+    for (const std::string& complaint : complaints)
+      EXPECT_NE(done.err.find(complaint), std::string::npos) << done.err;
+    EXPECT_EQ(folder_.names(), before);
+  }
+};
+
+TEST_F(EvaluateTool, ScoresAnExampleWorkedByHand)
+{
+  // Chair 1: 3 common points, prediction 1 has 5, IoU 3 / (4 + 5 - 3) = 1/2. Chair 2
+  // has no prediction of its own. The table: 2 common of 2 and 3, IoU 2/3.
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  const nlohmann::json report =
+      reportOf({file("prediction.pcd"), file("truth.pcd"), "--csv", file("t.csv")});
+  EXPECT_EQ(report["protocol"], "paper");
+  EXPECT_EQ(report["classes_from"], "s3dis");
+  EXPECT_EQ(report["classes"].size(), 13u);
+  const nlohmann::json chair = classIn(report, "chair");
+  EXPECT_EQ(chair["truth_instances"], 2);
+  EXPECT_EQ(chair["predictions"], 1);
+  EXPECT_DOUBLE_EQ(chair["recall25"], 0.5);
+  EXPECT_DOUBLE_EQ(chair["precision25"], 1.0);
+  EXPECT_DOUBLE_EQ(chair["ap25"], 0.5); // 1/2 * (1 + 1) / 2
+  EXPECT_DOUBLE_EQ(chair["ap50"], 0.0); // 1/2 is not above 1/2
+  EXPECT_DOUBLE_EQ(classIn(report, "table")["ap50"], 1.0);
+  EXPECT_DOUBLE_EQ(classIn(report, "table")["ap75"], 0.0);
+  EXPECT_TRUE(classIn(report, "sofa")["ap25"].is_null());
+  EXPECT_EQ(report["mean"]["classes"], 2);
+  EXPECT_DOUBLE_EQ(report["mean"]["ap25"], 0.75);
+  // Group 1: 3 of chair 1, 2 of chair 2. Group 3: 1 of chair 1, 2 of the table.
+  EXPECT_DOUBLE_EQ(report["purity"], 5.0 / 8.0);
+  EXPECT_DOUBLE_EQ(report["compactness"], 3.0 / 2.0);
+  EXPECT_DOUBLE_EQ(report["mean_iou"], (1.0 / 2.0 + 2.0 / 5.0 + 2.0 / 3.0) / 3.0);
+  EXPECT_EQ(report["scans"][0]["name"], "truth");
+  EXPECT_EQ(report["scans"][0]["class_rule"], "same_label");
+  EXPECT_EQ(report["scans"][0]["mean"], report["mean"]);
+
+  const std::string table = readText(file("t.csv"));
+  EXPECT_EQ(linesOf(table), 1u + 1u + 13u + 1u);
+  EXPECT_NE(table.find("\nclass,sofa,,,0,0,,,,,,,,,,,,\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\nclass,table,,,1,1,,,,1,1,1,1,1,1,0,0,0\n"), std::string::npos)
+      << table;
+}
+
+TEST_F(EvaluateTool, PrintsATableUnlessItIsToBeQuiet)
+{
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  const Arguments arguments{file("prediction.pcd"), file("truth.pcd")};
+  const ToolRun shown = evaluate(arguments);
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  for (const char* const part : {"Scoring truth [done, ",
+                                 "AP25",
+                                 "\nsofa ",
+                                 "\nmean ",
+                                 "0.750",
+                                 "Purity: 0.625",
+                                 "Compactness: 1.5",
+                                 "whose label it carries"})
+    EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
+  Arguments quiet = arguments;
+  quiet.push_back("--quiet");
+  const ToolRun silent = evaluate(quiet);
+  EXPECT_EQ(silent.exit_code, 0);
+  EXPECT_EQ(silent.out + silent.err, "");
+}
+
+TEST_F(EvaluateTool, ScoresWhatTheSegmentToolWrites)
+{
+  LabelledCloud truth = deskScan();
+  setLabels(deskLabels(), LabelType::U4, truth);
+  saveCloud(file("truth.ply"), truth, CloudFormat::ply_binary);
+  segment({file("truth.ply"), file("labelled.pcd"), "--labels-from", "label"});
+  const nlohmann::json report = reportOf({file("labelled.pcd"), file("truth.ply")});
+  EXPECT_EQ(report["classes_from"], "none");
+  EXPECT_EQ(report["classes"].size(), 1u);
+  EXPECT_EQ(report["classes"][0]["name"], "instance");
+  EXPECT_EQ(report["truth_instances"], 3);
+  EXPECT_EQ(report["groups"], 3);
+  EXPECT_EQ(report["points"], report["labelled_points"]);
+  EXPECT_LT(report["points"], 1200); // some are not finite
+  EXPECT_GT(report["mean"]["ap50"], 0.5);
+  EXPECT_GT(report["purity"], 0.8);
+  const nlohmann::json perfect = reportOf({file("truth.ply"), file("truth.ply")});
+  EXPECT_EQ(perfect["mean"]["ap75"], 1.0);
+  EXPECT_EQ(perfect["purity"], 1.0);
+}
+
+TEST_F(EvaluateTool, ReadsTheFieldsItIsTold)
+{
+  writeScan("truth.pcd", "label object kind", {"9 1 4", "9 1 4", "9 2 4", "9 2 4"});
+  writeScan("prediction.pcd", "label seed kind", {"9 1 5", "9 1 5", "9 2 4", "9 2 4"});
+  Arguments arguments{file("prediction.pcd"),
+                      file("truth.pcd"),
+                      "--prediction-field",
+                      "seed",
+                      "--truth-field",
+                      "object",
+                      "--semantic-field",
+                      "kind",
+                      "--protocol",
+                      "s3dis"};
+  const nlohmann::json report = reportOf(arguments);
+  EXPECT_EQ(report["scans"][0]["class_rule"], "prediction");
+  EXPECT_EQ(report["groups"], 2);
+  // One of the two beams is taken for a column.
+  EXPECT_DOUBLE_EQ(classIn(report, "beam")["recall"], 0.5);
+  EXPECT_DOUBLE_EQ(classIn(report, "beam")["precision"], 1.0);
+  EXPECT_EQ(classIn(report, "column")["predictions"], 1);
+  EXPECT_TRUE(classIn(report, "column")["precision"].is_null());
+  arguments.back() = "paper"; // where the class follows from the label
+  EXPECT_DOUBLE_EQ(classIn(reportOf(arguments), "beam")["ap75"], 1.0);
+}
+
+TEST_F(EvaluateTool, ReadsClassesFromAFile)
+{
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  writeText(file("classes.txt"), "# mine\n9 office chair # blue\r\n\n 8\ttable\n");
+  const Arguments arguments{
+      file("prediction.pcd"), file("truth.pcd"), "--classes", file("classes.txt")};
+  const nlohmann::json report = reportOf(arguments);
+  ASSERT_EQ(report["classes"].size(), 2u);
+  EXPECT_EQ(report["classes"][0]["name"], "table");
+  EXPECT_EQ(report["classes"][1]["name"], "office chair");
+  for (const auto& [text, complaint] :
+       {std::pair("9 chair\nchair\n", "line 2: 'chair'"),
+        std::pair("0 none\n", "line 1: '0 none'"),
+        std::pair("9\n", "line 1: '9'"),
+        std::pair("9chair\n", "line 1: '9chair'"),
+        std::pair("9 chair\n9 table\n", "line 2"),
+        std::pair("8 chair\n9 chair\n", "line 2"),
+        std::pair("# 9 chair\n", "no class"),
+        std::pair("8 table\n", "not known: 9")}) {
+    writeText(file("classes.txt"), text);
+    expectRefused(arguments, {complaint});
+  }
+  expectRefused({file("prediction.pcd"), file("truth.pcd"), "--classes", "s3diss"},
+                {"'s3diss'", "s3dis, scannet or a file"});
+}
+
+TEST_F(EvaluateTool, PairsFoldersByNameAndPools)
+{
+  for (const char* const folder : {"prediction", "truth"})
+    fs::create_directory(file(folder));
+  writeChairsAndTable("prediction/b.pcd", "truth/b.pcd");
+  writeChairsAndTable("prediction/a.pcd", "truth/a.pcd");
+  writeText(file("truth/readme.txt"), "not a scan");
+  // In this one the chair that was missed is found: 3 of 4 in all.
+  writeScan("prediction/a.pcd", "label", {"1", "1", "1", "1", "2", "2", "3", "3"});
+  const nlohmann::json report = reportOf({file("prediction"), file("truth")});
+  ASSERT_EQ(report["scans"].size(), 2u);
+  EXPECT_EQ(report["scans"][0]["name"], "a");
+  EXPECT_EQ(report["scans"][1]["name"], "b");
+  EXPECT_DOUBLE_EQ(report["scans"][0]["mean"]["ap25"], 1.0);
+  EXPECT_DOUBLE_EQ(report["scans"][1]["mean"]["ap25"], 0.75);
+  EXPECT_DOUBLE_EQ(classIn(report, "chair")["recall25"], 0.75);
+  EXPECT_DOUBLE_EQ(report["purity"], 13.0 / 16.0);
+  EXPECT_DOUBLE_EQ(report["median_purity"], (1.0 + 5.0 / 8.0) / 2.0);
+  EXPECT_EQ(report["failed"].size(), 0u);
+}
+
+TEST_F(EvaluateTool, RefusesScansWithoutCounterpart)
+{
+  for (const char* const folder : {"prediction", "truth", "empty"})
+    fs::create_directory(file(folder));
+  writeChairsAndTable("prediction/a.pcd", "truth/a.pcd");
+  writeChairsAndTable("prediction/b.pcd", "truth/c.pcd");
+  expectRefused({file("prediction"), file("truth")}, {"truth: lacks scans", ": b"});
+  fs::remove(file("prediction/b.pcd"));
+  expectRefused({file("prediction"), file("truth")}, {": c", "--partial"});
+  const nlohmann::json report =
+      reportOf({file("prediction"), file("truth"), "--partial"});
+  EXPECT_EQ(report["scans"].size(), 1u);
+  fs::copy_file(file("truth/a.pcd"), file("truth/a.ply"));
+  expectRefused({file("prediction"), file("truth")}, {"same name"});
+  expectRefused({file("prediction"), file("empty")}, {"empty: holds no scan"});
+  expectRefused({file("prediction"), scan_}, {"folder of scans", "scan.pcd"});
+  expectRefused({file("nothing"), scan_}, {"nothing: there is no such file"});
+}
+
+TEST_F(EvaluateTool, GoesOnAfterAScanThatFails)
+{
+  for (const char* const folder : {"prediction", "truth"})
+    fs::create_directory(file(folder));
+  for (const char* const name : {"a", "b", "c"})
+    writeChairsAndTable("prediction/" + std::string(name) + ".pcd",
+                        "truth/" + std::string(name) + ".pcd");
+  writeText(file("prediction/a.pcd"), "rubbish\n");
+  writeScan("prediction/c.pcd", "label", {"1", "2"});
+  const ToolRun done = evaluate(
+      {file("prediction"), file("truth"), "--report", file("r.json"), "--quiet"});
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_EQ(linesOf(done.err), 3u) << done.err;
+  EXPECT_NE(done.err.find("a.pcd: is neither"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("2 and 8 points"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("2 of 3 scans could not be scored: a, c\n"),
+            std::string::npos)
+      << done.err;
+  const nlohmann::json report = nlohmann::json::parse(readText(file("r.json")));
+  ASSERT_EQ(report["scans"].size(), 1u);
+  EXPECT_EQ(report["scans"][0]["name"], "b");
+  ASSERT_EQ(report["failed"].size(), 2u);
+  EXPECT_EQ(report["failed"][1]["name"], "c");
+  EXPECT_DOUBLE_EQ(report["mean"]["ap25"], 0.75);
+
+  fs::remove(file("r.json"));
+  writeText(file("prediction/b.pcd"), "rubbish\n");
+  const ToolRun nothing = evaluate(
+      {file("prediction"), file("truth"), "--report", file("r.json"), "--quiet"});
+  EXPECT_EQ(nothing.exit_code, 1);
+  EXPECT_NE(nothing.err.find("none of the 3 scans"), std::string::npos) << nothing.err;
+  EXPECT_FALSE(fs::exists(file("r.json")));
+}
+
+TEST_F(EvaluateTool, RefusesScansOfWhichOnlySomeHaveClasses)
+{
+  for (const char* const folder : {"prediction", "truth"})
+    fs::create_directory(file(folder));
+  for (const char* const name : {"a", "b"})
+    writeChairsAndTable("prediction/" + std::string(name) + ".pcd",
+                        "truth/" + std::string(name) + ".pcd");
+  fs::copy_file(file("prediction/b.pcd"),
+                file("truth/b.pcd"),
+                fs::copy_options::overwrite_existing);
+  const ToolRun done = evaluate({file("prediction"), file("truth")});
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_NE(done.err.find("b.pcd: has no field 'semantic', unlike"), std::string::npos)
+      << done.err;
+}
+
+TEST_F(EvaluateTool, RefusesOtherPoints)
+{
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  const Arguments arguments{file("prediction.pcd"), file("truth.pcd")};
+  writeScan("prediction.pcd", "label", {"1", "1", "3"});
+  expectRefused(arguments, {"prediction.pcd", "truth.pcd", "3 and 8 points"});
+
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  std::string text = readText(file("prediction.pcd"));
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find("\n" + from + " "), from.size() + 2, "\n" + to + " ");
+    writeText(file("prediction.pcd"), changed);
+  };
+  replace("3 0.5 -2", "3 0.5 -2.125");
+  expectRefused(arguments, {"point 3 of 8", "(3, 0.5, -2.125", "(3, 0.5, -2)"});
+  replace("6 0.5 -2", "nan 0.5 -2");
+  expectRefused(arguments, {"point 6 of 8"});
+  replace("5 0.5 -2", "5.00001 0.499999 -2"); // as rounded by other programs
+  EXPECT_EQ(evaluate(arguments).exit_code, 0);
+}
+
+TEST_F(EvaluateTool, RefusesLabelsAndClassesItCannotScore)
+{
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  const Arguments arguments{file("prediction.pcd"), file("truth.pcd")};
+  writeScan("prediction.pcd", "label", {"1", "1", "1", "1", "1", "1", "1", "77"});
+  expectRefused(arguments, {"prediction.pcd", "77", "not one of the truth"});
+  Arguments s3dis = arguments;
+  s3dis.insert(s3dis.end(), {"--protocol", "s3dis"});
+  EXPECT_EQ(reportOf(s3dis)["scans"][0]["class_rule"], "truth");
+
+  writeScan("truth.pcd",
+            "label semantic",
+            {"1 9", "1 9", "1 9", "1 99", "2 41", "2 0", "3 8", "3 8"});
+  expectRefused(arguments, {"truth.pcd", "'semantic'", "41, 99", "--classes"});
+  writeScan("truth.pcd", "part", {"1", "1", "1", "1", "1", "1", "1", "1"});
+  expectRefused(arguments, {"truth.pcd", "no field 'label'", "part"});
+  expectRefused({file("truth.pcd"), file("prediction.pcd")}, {"no field 'label'"});
+  writeScan("truth.pcd", "label", {"1", "1", "1", "1", "1", "1", "1", "77"});
+  expectRefused({arguments[0], arguments[1], "--classes", "s3dis"},
+                {"truth.pcd", "no field 'semantic'", "--classes"});
+}
+
+TEST_F(EvaluateTool, NeverWritesOverItsInputs)
+{
+  writeChairsAndTable("prediction.pcd", "truth.pcd");
+  const Arguments arguments{file("prediction.pcd"), file("truth.pcd")};
+  for (const std::string& output : {file("prediction.pcd"), file("truth.pcd")})
+    for (const char* const option : {"--report", "--csv"})
+      expectRefused({arguments[0], arguments[1], option, output},
+                    {"never written over"});
+  expectRefused({arguments[0], arguments[1], "--report", file("no/r.json")},
+                {"does not exist"});
+  expectRefused({arguments[0], arguments[1], "--report", file("r"), "--csv", file("r")},
+                {"written twice"});
+}
+
+TEST_F(EvaluateTool, RefusesAWrongCommandLine)
+{
+  expectRefused({}, {"PREDICTION and TRUTH are needed", "given: 0"}, 2);
+  expectRefused({scan_}, {"given: 1"}, 2);
+  expectRefused({scan_, scan_, scan_}, {"given: 3"}, 2);
+  expectRefused({scan_, scan_, "--protocol", "scanet"},
+                {"'scanet'", "paper, scannet or s3dis"},
+                2);
+  expectRefused({scan_, scan_, "--nonsense"}, {"--nonsense"}, 2);
+  expectRefused({scan_, scan_, "--report", ""}, {"--report"}, 2);
+}
+
+TEST_F(EvaluateTool, PrintsHelpAndVersion)
+{
+  const ToolRun help = evaluate({scan_, "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* const part : {"Usage: pcl_cid_evaluate PREDICTION TRUTH",
+                                 "--protocol",
+                                 "--classes",
+                                 "--partial",
+                                 "--prediction-field",
+                                 "--truth-field",
+                                 "--semantic-field",
+                                 "--report",
+                                 "--csv",
+                                 "--quiet"})
+    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+  EXPECT_EQ(evaluate({"--version"}).out.rfind("pcl_cid_evaluate ", 0), 0u);
+}
+
+} // namespace
+} // namespace pcl_cid::test

@@ -1,0 +1,164 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Two clouds of the same scan, reduced to what the scores need.
+ */
+
+#include "compared_scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace pcl_cid::tools {
+namespace {
+
+/** What ascii files with 6 digits round away, of a coordinate or, near 0, of 1. */
+constexpr double rounding = 1e-5;
+
+struct ReadScan {
+  LabelledCloud cloud;
+  CloudPoints points;
+
+  explicit ReadScan(const std::string& path)
+  : cloud(readAnyScan(path)), points(pointsOf(cloud))
+  {
+  }
+
+  Eigen::Vector3d
+  point(std::size_t i) const
+  {
+    return (*points.points)[i].getVector3fMap().cast<double>() + points.offset;
+  }
+
+  bool
+  hasField(const std::string& name) const
+  {
+    const auto& fields = cloud.fields.fields;
+    return std::any_of(
+        fields.begin(), fields.end(), [&](const pcl::PCLPointField& field) {
+          return field.name == name;
+        });
+  }
+
+  std::vector<std::uint32_t>
+  numbers(const std::string& field) const
+  {
+    return labelsOf(cloud, field, points);
+  }
+};
+
+bool
+areSame(double a, double b)
+{
+  if (!std::isfinite(a) || !std::isfinite(b))
+    return std::isfinite(a) == std::isfinite(b);
+  return std::abs(a - b) <= rounding * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+bool
+areSame(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return areSame(a.x(), b.x()) && areSame(a.y(), b.y()) && areSame(a.z(), b.z());
+}
+
+std::string
+text(const Eigen::Vector3d& point)
+{
+  std::ostringstream stream;
+  stream.precision(9);
+  stream << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
+  return stream.str();
+}
+
+void
+requireSamePoints(const ReadScan& prediction, const ReadScan& truth)
+{
+  const std::string names = prediction.cloud.name + " and " + truth.cloud.name;
+  const std::size_t size = prediction.cloud.size();
+  if (size != truth.cloud.size())
+    throw CIDException(names + ": have " + std::to_string(size) + " and " +
+                       std::to_string(truth.cloud.size()) +
+                       " points; they must have the same points in the same order");
+  for (std::size_t i = 0; i < size; ++i)
+    if (const Eigen::Vector3d p = prediction.point(i), t = truth.point(i);
+        !areSame(p, t))
+      throw CIDException(names + ": differ in point " + std::to_string(i) + " of " +
+                         std::to_string(size) + ", which is at " + text(p) + " and " +
+                         text(t) +
+                         "; they must have the same points in the same order");
+}
+
+void
+requireKnown(const std::vector<std::uint32_t>& semantic,
+             const SemanticClasses& known,
+             const std::string& place)
+{
+  std::string unknown;
+  for (const std::uint32_t number :
+       std::set<std::uint32_t>(semantic.begin(), semantic.end()))
+    if (number != 0 && !className(known, number))
+      unknown += (unknown.empty() ? "" : ", ") + std::to_string(number);
+  if (!unknown.empty())
+    throw CIDException(place + " has classes that are not known: " + unknown +
+                       "; --classes says which are");
+}
+
+std::vector<std::uint32_t>
+classesOf(const ReadScan& scan, const std::string& field, const SemanticClasses& known)
+{
+  std::vector<std::uint32_t> semantic = scan.numbers(field);
+  requireKnown(semantic, known, scan.cloud.name + ": field '" + field + "'");
+  return semantic;
+}
+
+} // namespace
+
+const char*
+nameOf(ClassRule rule)
+{
+  switch (rule) {
+  case ClassRule::same_label:
+    return "same_label";
+  case ClassRule::prediction:
+    return "prediction";
+  default:
+    return "truth";
+  }
+}
+
+ComparedScan
+compareScans(const ScanPair& pair,
+             const FieldNames& fields,
+             const SemanticClasses& known,
+             EvaluationProtocol protocol)
+{
+  const ReadScan prediction(pair.prediction);
+  const ReadScan truth(pair.truth);
+  requireSamePoints(prediction, truth);
+
+  ComparedScan scan;
+  scan.points = truth.points.finite;
+  scan.has_classes = truth.hasField(fields.semantic);
+  PointLabels predicted{prediction.numbers(fields.prediction), {}};
+  PointLabels actual{truth.numbers(fields.truth), {}};
+  if (scan.has_classes)
+    actual.semantic = classesOf(truth, fields.semantic, known);
+  else
+    actual.semantic.assign(actual.label.size(), 1);
+  if (protocol != EvaluationProtocol::paper) {
+    scan.class_rule = ClassRule::truth;
+    if (scan.has_classes && prediction.hasField(fields.semantic)) {
+      predicted.semantic = classesOf(prediction, fields.semantic, known);
+      scan.class_rule = ClassRule::prediction;
+    }
+  }
+  scan.overlaps = overlapsOf(predicted, actual);
+  return scan;
+}
+
+} // namespace pcl_cid::tools

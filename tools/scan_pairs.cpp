@@ -1,0 +1,113 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Which prediction belongs to which truth.
+ */
+
+#include "scan_pairs.h"
+
+#include "tool_run.h"
+
+#include <filesystem>
+#include <map>
+
+namespace pcl_cid::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool
+isScan(const fs::path& path)
+{
+  const std::string extension = extensionOf(path.string());
+  return fs::is_regular_file(path) && (extension == ".pcd" || extension == ".ply");
+}
+
+std::string
+nameOf(const fs::path& scan)
+{
+  return scan.stem().string();
+}
+
+/** The scans of a folder by name. */
+std::map<std::string, std::string>
+scansIn(const std::string& folder)
+{
+  std::map<std::string, std::string> scans;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string path = entry.path().string();
+    if (!isScan(entry.path()))
+      continue;
+    const auto [known, is_new] = scans.emplace(nameOf(entry.path()), path);
+    if (!is_new)
+      throw CIDException(path + ": has the same name as " + known->second +
+                         "; names without extension must differ");
+  }
+  if (scans.empty())
+    throw CIDException(folder + ": holds no scan; PCD or PLY files are needed");
+  return scans;
+}
+
+/** Names of scans that the others lack, as a list. */
+std::string
+missingFrom(const std::map<std::string, std::string>& others,
+            const std::map<std::string, std::string>& scans)
+{
+  std::string names;
+  for (const auto& [name, path] : scans)
+    if (others.count(name) == 0)
+      names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+bool
+isFolderOfScans(const std::string& path)
+{
+  if (!fs::exists(path))
+    throw CIDException(path + ": there is no such file or folder");
+  return fs::is_directory(path);
+}
+
+std::vector<ScanPair>
+pairFolders(const std::string& prediction, const std::string& truth, bool partial)
+{
+  const auto predictions = scansIn(prediction);
+  const auto truths = scansIn(truth);
+  if (const std::string names = missingFrom(truths, predictions); !names.empty())
+    throw CIDException(truth + ": lacks scans that " + prediction + " has: " + names);
+  if (const std::string names = missingFrom(predictions, truths);
+      !names.empty() && !partial)
+    throw CIDException(prediction + ": lacks scans that " + truth + " has: " + names +
+                       "; with --partial they are left out");
+  std::vector<ScanPair> pairs;
+  for (const auto& [name, path] : predictions)
+    pairs.push_back({name, path, truths.at(name)});
+  return pairs;
+}
+
+} // namespace
+
+LabelledCloud
+readAnyScan(const std::string& path)
+{
+  return readCloud(path);
+}
+
+std::vector<ScanPair>
+pairScans(const std::string& prediction, const std::string& truth, bool partial)
+{
+  const bool are_folders = isFolderOfScans(prediction);
+  if (isFolderOfScans(truth) != are_folders)
+    throw CIDException((are_folders ? prediction : truth) +
+                       ": is a folder of scans, and " +
+                       (are_folders ? truth : prediction) +
+                       " is one scan; both must be the one or the other");
+  if (are_folders)
+    return pairFolders(prediction, truth, partial);
+  return {{nameOf(truth), prediction, truth}};
+}
+
+} // namespace pcl_cid::tools
