@@ -9,6 +9,9 @@
 
 #include "compared_scan.h"
 
+#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/scan_source.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -24,8 +27,8 @@ struct ReadScan {
   LabelledCloud cloud;
   CloudPoints points;
 
-  explicit ReadScan(const std::string& path)
-  : cloud(readAnyScan(path)), points(pointsOf(cloud))
+  ReadScan(const std::string& path, const ScanOptions& options)
+  : cloud(readScan(path, options)), points(pointsOf(cloud))
   {
   }
 
@@ -133,15 +136,19 @@ nameOf(ClassRule rule)
 
 ComparedScan
 compareScans(const ScanPair& pair,
+             const std::string& class_table,
              const FieldNames& fields,
              const SemanticClasses& known,
              EvaluationProtocol protocol)
 {
-  const ReadScan prediction(pair.prediction);
-  const ReadScan truth(pair.truth);
+  ComparedScan scan;
+  const auto remark = [&](const std::string& sentence) {
+    scan.remarks.push_back(sentence);
+  };
+  const ReadScan prediction(pair.prediction, {"", remark});
+  const ReadScan truth(pair.truth, {class_table, remark});
   requireSamePoints(prediction, truth);
 
-  ComparedScan scan;
   scan.points = truth.points.finite;
   scan.has_classes = truth.hasField(fields.semantic);
   PointLabels predicted{prediction.numbers(fields.prediction), {}};

@@ -16,6 +16,7 @@
 #include <pcl_cid/io/class_names.h>
 
 #include <string>
+#include <vector>
 
 namespace pcl_cid::tools {
 
@@ -45,14 +46,18 @@ struct ComparedScan {
   /** Whether the truth has the field of the classes; else all points are of class 1. */
   bool has_classes = false;
   ClassRule class_rule = ClassRule::same_label;
+  /** What was repaired, left out or assumed while reading. */
+  std::vector<std::string> remarks;
 };
 
 /** \brief Read both clouds of a pair and compare them, point by point.
+ *  \param[in] class_table of ScanNet, for the truth; empty: looked for
  *  \param[in] known the classes that may occur
  *  \throws CIDException when the clouds are not of the same points in the same order,
  * or have a class that is not known */
 ComparedScan
 compareScans(const ScanPair& pair,
+             const std::string& class_table,
              const FieldNames& fields,
              const SemanticClasses& known,
              EvaluationProtocol protocol);

@@ -93,7 +93,8 @@ scansOf(const EvaluationReport& report)
     Json json = {{"name", scan.pair.name},
                  {"prediction", scan.pair.prediction},
                  {"truth", scan.pair.truth},
-                 {"class_rule", nameOf(scan.class_rule)}};
+                 {"class_rule", nameOf(scan.class_rule)},
+                 {"remarks", scan.remarks}};
     addTotals(scan.evaluation, scan.points, json);
     json["mean"] = meanOf(scan.evaluation, report.protocol);
     scans.push_back(std::move(json));

@@ -25,6 +25,7 @@ struct ScoredScan {
   ScanPair pair;
   std::size_t points = 0;
   ClassRule class_rule = ClassRule::same_label;
+  std::vector<std::string> remarks;
   Evaluation evaluation;
 };
 

@@ -14,6 +14,7 @@
 #include "tool_run.h"
 
 #include <pcl_cid/io/output_files.h>
+#include <pcl_cid/io/scan_source.h>
 
 #include <cstdio>
 #include <iostream>
@@ -30,7 +31,8 @@ struct EvaluateSettings {
   std::string truth;
   std::size_t protocol = 0; ///< as in EvaluationProtocol
   FieldNames fields;
-  std::string classes; ///< empty: those of the protocol
+  std::string classes;     ///< empty: those of the protocol
+  std::string class_table; ///< of ScanNet; empty: looked for
   bool partial = false;
   std::string report;
   std::string csv;
@@ -79,6 +81,12 @@ readCommandLine(int argc, const char* const* argv, EvaluateSettings& settings)
       "what the numbers of classes mean: s3dis, scannet (nyu40id), or a file with a "
       "number and a name on each line; default scannet with --protocol scannet, "
       "else s3dis");
+  line.text(
+      "class-table",
+      "FILE.tsv",
+      settings.class_table,
+      "ScanNet's scannetv2-labels.combined.tsv, when TRUTH is of ScanNet; default: "
+      "looked for in its folder and those above it");
   line.flag("partial",
             settings.partial,
             "the folder TRUTH may have scans that PREDICTION lacks");
@@ -115,11 +123,11 @@ announceOutputs(const EvaluateSettings& settings, OutputFiles& outputs)
 std::vector<std::string>
 inputsOf(const EvaluateSettings& settings, const std::vector<ScanPair>& pairs)
 {
-  std::vector<std::string> inputs{settings.classes};
-  for (const ScanPair& pair : pairs) {
-    inputs.push_back(pair.prediction);
-    inputs.push_back(pair.truth);
-  }
+  std::vector<std::string> inputs{settings.classes, settings.class_table};
+  for (const ScanPair& pair : pairs)
+    for (const std::string& scan : {pair.prediction, pair.truth})
+      for (const std::string& path : scanFiles(scan))
+        inputs.push_back(path);
   return inputs;
 }
 
@@ -149,11 +157,13 @@ public:
   add(const ScanPair& pair)
   {
     console_.begin("Scoring " + pair.name);
-    ComparedScan scan =
-        compareScans(pair, settings_.fields, table_.known, report_.protocol);
+    ComparedScan scan = compareScans(
+        pair, settings_.class_table, settings_.fields, table_.known, report_.protocol);
+    for (const std::string& remark : scan.remarks)
+      console_.remark(remark);
     settleClasses(pair, scan);
     report_.scans.push_back(
-        {pair, scan.points, scan.class_rule, evaluateScan(pair, scan)});
+        {pair, scan.points, scan.class_rule, scan.remarks, evaluateScan(pair, scan)});
     overlaps_.push_back(std::move(scan.overlaps));
     console_.end(std::to_string(scan.points) + " points, " +
                      std::to_string(report_.scans.back().evaluation.truths) +

@@ -11,6 +11,8 @@
 
 #include "tool_run.h"
 
+#include <pcl_cid/io/scan_source.h>
+
 #include <filesystem>
 #include <map>
 
@@ -23,13 +25,8 @@ bool
 isScan(const fs::path& path)
 {
   const std::string extension = extensionOf(path.string());
-  return fs::is_regular_file(path) && (extension == ".pcd" || extension == ".ply");
-}
-
-std::string
-nameOf(const fs::path& scan)
-{
-  return scan.stem().string();
+  return isScanFolder(path.string()) ||
+         (fs::is_regular_file(path) && (extension == ".pcd" || extension == ".ply"));
 }
 
 /** The scans of a folder by name. */
@@ -41,13 +38,15 @@ scansIn(const std::string& folder)
     const std::string path = entry.path().string();
     if (!isScan(entry.path()))
       continue;
-    const auto [known, is_new] = scans.emplace(nameOf(entry.path()), path);
+    const auto [known, is_new] = scans.emplace(scanName(path), path);
     if (!is_new)
       throw CIDException(path + ": has the same name as " + known->second +
-                         "; names without extension must differ");
+                         "; names of scans must differ");
   }
   if (scans.empty())
-    throw CIDException(folder + ": holds no scan; PCD or PLY files are needed");
+    throw CIDException(folder +
+                       ": holds no scan; PCD or PLY files, or folders of scans of "
+                       "S3DIS or ScanNet are needed");
   return scans;
 }
 
@@ -68,7 +67,7 @@ isFolderOfScans(const std::string& path)
 {
   if (!fs::exists(path))
     throw CIDException(path + ": there is no such file or folder");
-  return fs::is_directory(path);
+  return fs::is_directory(path) && !isScanFolder(path);
 }
 
 std::vector<ScanPair>
@@ -90,12 +89,6 @@ pairFolders(const std::string& prediction, const std::string& truth, bool partia
 
 } // namespace
 
-LabelledCloud
-readAnyScan(const std::string& path)
-{
-  return readCloud(path);
-}
-
 std::vector<ScanPair>
 pairScans(const std::string& prediction, const std::string& truth, bool partial)
 {
@@ -107,7 +100,7 @@ pairScans(const std::string& prediction, const std::string& truth, bool partial)
                        " is one scan; both must be the one or the other");
   if (are_folders)
     return pairFolders(prediction, truth, partial);
-  return {{nameOf(truth), prediction, truth}};
+  return {{scanName(truth), prediction, truth}};
 }
 
 } // namespace pcl_cid::tools

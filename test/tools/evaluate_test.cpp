@@ -7,6 +7,7 @@
  * pcl_cid_evaluate: pairs, fields, classes, reports, and what it refuses.
  */
 
+#include "dataset_folders.h"
 #include "tool_process.h"
 
 #include <filesystem>
@@ -386,6 +387,34 @@ TEST_F(EvaluateTool, RefusesAWrongCommandLine)
   expectRefused({scan_, scan_, "--report", ""}, {"--report"}, 2);
 }
 
+TEST_F(EvaluateTool, TakesFoldersOfDatasetsAsTruth)
+{
+  const LabelledScan scan = smallRoomScan(1500);
+  const std::string room = writeS3DISRoom(file("."), scan);
+  const std::string scene = writeScannetScan(file("."), scan, 2);
+  fs::create_directory(file("prediction"));
+  segment({room, file("prediction/office_1.pcd"), "--labels-from", "label"});
+  const nlohmann::json rooms = reportOf({file("prediction"), file("Area_1")});
+  ASSERT_EQ(rooms["scans"].size(), 1u);
+  EXPECT_EQ(rooms["scans"][0]["name"], "office_1");
+  EXPECT_EQ(rooms["classes"].size(), 13u);
+  EXPECT_EQ(rooms["points"], 1500);
+  EXPECT_GT(rooms["purity"], 0.5);
+  EXPECT_EQ(reportOf({room, room})["mean"]["ap75"], 1.0);
+
+  const nlohmann::json scenes = reportOf({scene, scene, "--protocol", "scannet"});
+  EXPECT_EQ(scenes["scans"][0]["name"], "scene0000_00");
+  EXPECT_EQ(scenes["classes"].size(), 18u);
+  EXPECT_EQ(scenes["mean"]["ap"], 1.0);
+  expectRefused({scene,
+                 scene,
+                 "--protocol",
+                 "scannet",
+                 "--report",
+                 scene + "/" + "scene0000_00.aggregation.json"},
+                {"never written over"});
+}
+
 TEST_F(EvaluateTool, PrintsHelpAndVersion)
 {
   const ToolRun help = evaluate({scan_, "--help"});
@@ -394,6 +423,7 @@ TEST_F(EvaluateTool, PrintsHelpAndVersion)
   for (const char* const part : {"Usage: pcl_cid_evaluate PREDICTION TRUTH",
                                  "--protocol",
                                  "--classes",
+                                 "--class-table",
                                  "--partial",
                                  "--prediction-field",
                                  "--truth-field",
