@@ -18,6 +18,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <set>
 
 namespace {
 
@@ -224,7 +225,7 @@ private:
   bool has_classes_ = false;
   std::vector<InstanceOverlaps> overlaps_;
   EvaluationReport report_;
-  Report steps_;
+  Report steps_; // seconds of each scan, which the console wants to keep somewhere
 };
 
 /** A scan of several that fails does not stop the others. */
@@ -258,6 +259,17 @@ describe(ClassRule rule)
   }
 }
 
+/** Where classes of predictions come from: each way once, as scans may differ. */
+void
+printClassRules(const EvaluationReport& report, const Console& console)
+{
+  std::set<ClassRule> rules;
+  for (const ScoredScan& scan : report.scans)
+    rules.insert(scan.class_rule);
+  for (const ClassRule rule : rules)
+    console.value("Class of a prediction", describe(rule));
+}
+
 void
 print(const EvaluationReport& report,
       const EvaluateSettings& settings,
@@ -270,7 +282,7 @@ print(const EvaluationReport& report,
   if (report.classes.source == "none")
     console.value("Classes",
                   "none; TRUTH has no field '" + settings.fields.semantic + "'");
-  console.value("Class of a prediction", describe(report.scans.front().class_rule));
+  printClassRules(report, console);
   console.value("Purity", shortNumber(report.pooled.purity));
   console.value("Compactness", shortNumber(report.pooled.compactness));
   console.value("Mean IoU of the truth instances", shortNumber(report.pooled.mean_iou));

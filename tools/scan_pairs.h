@@ -21,11 +21,12 @@ struct ScanPair {
   std::string truth;
 };
 
-/** \brief Two scans (see readScan()) are one pair; the scans of two folders are paired
- * by scanName(), in the order of their names. \param[in] partial whether the truth may
- * have scans without a prediction \throws CIDException when one of the two is missing,
- * when only one is a folder of scans, when a folder has no scan or two of one name, or
- * when a scan has no counterpart */
+/** \brief Two scans (see readScan()) are one pair. The scans of two folders are paired
+ *  by scanName(), in the order of their names.
+ *  \param[in] partial whether the truth may have scans without a prediction
+ *  \throws CIDException when one of the two is missing, when only one is a folder of
+ *  scans, when a folder has no scan or two of one name, or when a scan has no
+ *  counterpart */
 std::vector<ScanPair>
 pairScans(const std::string& prediction, const std::string& truth, bool partial);
 

@@ -80,8 +80,8 @@ struct InstanceMatches {
  *  and used from then on. A further one makes a wrong detection, and stays unused; of
  *  the two confidences the lower one goes to the wrong detection. A prediction that no
  *  truth instance (even one that does not count) overlaps by more than the threshold is
- *  wrong; unless void is passed over, and more than the threshold of its points is
- * void. \param[in] threshold of the IoU, 0 to 1 */
+ *  wrong; unless void is passed over and more than the threshold of it is void.
+ *  \param[in] threshold of the IoU, 0 to 1 */
 PCL_CID_EXPORT InstanceMatches
 matchInstances(const ClassOverlaps& overlaps, double threshold);
 

@@ -62,12 +62,13 @@ struct InstanceOverlaps {
 
 /** \brief Count the common points of the instances of one scan.
  *
- *  The class of an instance is the one that most of its points have, of equally
- * frequent ones the lowest number; 0 takes part in this. \param[in] prediction its
- * `semantic` may be empty: then the class of a predicted instance is the one that most
- * of its points have in the truth \param[in] truth a class for each point, too \throws
- * CIDException when the lists differ in length \note Cost: O(n log m) for n points and
- * m pairs of instances. */
+ *  The class of an instance is the one that most of its points have; of equally
+ *  frequent ones the lowest number. 0 takes part in this.
+ *  \param[in] prediction its `semantic` may be empty: then the class of a predicted
+ *  instance is the one that most of its points have in the truth
+ *  \param[in] truth a class for each point, too
+ *  \throws CIDException when the lists differ in length
+ *  \note Cost: O(n log m) for n points and m pairs of instances. */
 PCL_CID_EXPORT InstanceOverlaps
 overlapsOf(const PointLabels& prediction, const PointLabels& truth);
 
