@@ -11,6 +11,7 @@
 #include "tool_process.h"
 
 #include <filesystem>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -389,7 +390,8 @@ TEST_F(EvaluateTool, RefusesAWrongCommandLine)
 
 TEST_F(EvaluateTool, TakesFoldersOfDatasetsAsTruth)
 {
-  const LabelledScan scan = smallRoomScan(1500);
+  const LabelledScan scan = smallRoomScan(8000);
+  const std::set<std::uint32_t> instances(scan.instance.begin(), scan.instance.end());
   const std::string room = writeS3DISRoom(file("."), scan);
   const std::string scene = writeScannetScan(file("."), scan, 2);
   fs::create_directory(file("prediction"));
@@ -398,20 +400,25 @@ TEST_F(EvaluateTool, TakesFoldersOfDatasetsAsTruth)
   ASSERT_EQ(rooms["scans"].size(), 1u);
   EXPECT_EQ(rooms["scans"][0]["name"], "office_1");
   EXPECT_EQ(rooms["classes"].size(), 13u);
-  EXPECT_EQ(rooms["points"], 1500);
-  EXPECT_GT(rooms["purity"], 0.5);
+  EXPECT_EQ(rooms["points"], scan.points.size());
+  EXPECT_EQ(rooms["truth_instances"], instances.size());
+  EXPECT_LE(rooms["groups"], 12); // seeds
+  EXPECT_LT(rooms["mean"]["recall25"], 1.0);
   EXPECT_EQ(reportOf({room, room})["mean"]["ap75"], 1.0);
 
+  // Instance 2 is in no group of the annotation.
   const nlohmann::json scenes = reportOf({scene, scene, "--protocol", "scannet"});
   EXPECT_EQ(scenes["scans"][0]["name"], "scene0000_00");
   EXPECT_EQ(scenes["classes"].size(), 18u);
+  EXPECT_EQ(scenes["truth_instances"], instances.size() - 1);
+  EXPECT_LT(scenes["labelled_points"], scan.points.size());
   EXPECT_EQ(scenes["mean"]["ap"], 1.0);
   expectRefused({scene,
                  scene,
                  "--protocol",
                  "scannet",
                  "--report",
-                 scene + "/" + "scene0000_00.aggregation.json"},
+                 scene + "/scene0000_00.aggregation.json"},
                 {"never written over"});
 }
 
