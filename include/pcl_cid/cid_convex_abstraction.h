@@ -199,6 +199,11 @@ public:
   }
 
 private:
+  /** \brief Change one hull option, unless it is out of its range. */
+  template <typename Value>
+  void
+  setHullOption(Value ConvexPartOptions::*option, Value value);
+
   /** \brief Algorithms 1 and 2, and the cut that the settings ask for.
    *  \param[in] until the share of the verb's progress that this makes up */
   std::vector<int>

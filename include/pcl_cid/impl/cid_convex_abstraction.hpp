@@ -77,12 +77,21 @@ CIDConvexAbstraction<PointT>::setHullOptions(const ConvexPartOptions& hull_optio
 }
 
 template <typename PointT>
+template <typename Value>
+void
+CIDConvexAbstraction<PointT>::setHullOption(Value ConvexPartOptions::*option,
+                                            Value value)
+{
+  ConvexPartOptions options = hull_options_;
+  options.*option = value;
+  setHullOptions(options);
+}
+
+template <typename PointT>
 void
 CIDConvexAbstraction<PointT>::setMinThickness(double min_thickness)
 {
-  ConvexPartOptions options = hull_options_;
-  options.min_thickness = min_thickness;
-  setHullOptions(options);
+  setHullOption(&ConvexPartOptions::min_thickness, min_thickness);
 }
 
 template <typename PointT>
@@ -93,27 +102,22 @@ CIDConvexAbstraction<PointT>::setMaxVertices(int max_vertices)
     throw CIDException("the maximum number of vertices is " +
                        std::to_string(max_vertices) +
                        "; it must be at least 4, or 0 for any number");
-  ConvexPartOptions options = hull_options_;
-  options.max_vertices = static_cast<std::size_t>(max_vertices);
-  setHullOptions(options);
+  setHullOption(&ConvexPartOptions::max_vertices,
+                static_cast<std::size_t>(max_vertices));
 }
 
 template <typename PointT>
 void
 CIDConvexAbstraction<PointT>::setPadding(double padding)
 {
-  ConvexPartOptions options = hull_options_;
-  options.padding = padding;
-  setHullOptions(options);
+  setHullOption(&ConvexPartOptions::padding, padding);
 }
 
 template <typename PointT>
 void
 CIDConvexAbstraction<PointT>::setTrimDistance(double trim_distance)
 {
-  ConvexPartOptions options = hull_options_;
-  options.trim_distance = trim_distance;
-  setHullOptions(options);
+  setHullOption(&ConvexPartOptions::trim_distance, trim_distance);
 }
 
 template <typename PointT>
