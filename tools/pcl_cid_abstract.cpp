@@ -7,18 +7,15 @@
  * pcl_cid_abstract: a scan as convex hulls of its approximately convex parts.
  */
 
+#include "abstract_settings.h"
 #include "hull_verification.h"
-#include "scene_outputs.h"
 #include "tightness_curve.h"
-#include "tool_run.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/core/hull_guarantees.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/output_files.h>
 
-#include <cfloat>
-#include <climits>
 #include <filesystem>
 #include <ostream>
 
@@ -26,155 +23,6 @@ namespace {
 
 using namespace pcl_cid;
 using namespace pcl_cid::tools;
-
-constexpr const char* tool = "pcl_cid_abstract";
-
-struct AbstractSettings : Settings {
-  std::optional<int> parts;
-  std::optional<double> threshold;
-  std::optional<int> merges;
-  int group_samples = 16;
-  int min_points = 1;
-  ConvexPartOptions hulls;
-  std::optional<int> max_vertices;
-  double free_distance = TightnessOptions().free_distance;
-  bool verify = false;
-  std::string labels;
-  std::string tree;
-  std::string curve;
-  SceneSettings scenes;
-
-  bool
-  isOBJ() const
-  {
-    return extensionOf(output) == ".obj";
-  }
-
-  /** \brief The material library beside an OBJ. */
-  std::string
-  materials() const
-  {
-    return std::filesystem::path(output).replace_extension(".mtl").string();
-  }
-};
-
-void
-declareMergeOptions(AbstractSettings& settings, CommandLine& line)
-{
-  line.group("Parts (without --parts, --threshold and --merges, as many as the merges "
-             "themselves suggest)");
-  line.optionalNumber("parts",
-                      "K",
-                      {1, INT_MAX, "a whole number, at least 1"},
-                      settings.parts,
-                      "merge groups until this many parts remain");
-  line.optionalNumber("threshold",
-                      "R",
-                      {0.0, DBL_MAX, "a number of metres, 0 or more"},
-                      settings.threshold,
-                      "merge while the smallest group CID is at most this, metres");
-  line.optionalNumber("merges",
-                      "T",
-                      {0, INT_MAX, "a whole number, 0 or more"},
-                      settings.merges,
-                      "merge this many times");
-  line.number("group-samples",
-              "G",
-              {1, 1 << 20, "a whole number, 1 to 1048576"},
-              settings.group_samples,
-              "points of each group that its group CIDs are estimated from");
-  line.number("min-points",
-              "N",
-              {1, INT_MAX, "a whole number, at least 1"},
-              settings.min_points,
-              "drop parts of fewer points; no hull covers those");
-  line.text("labels",
-            "FILE",
-            settings.labels,
-            "write INPUT (.pcd or .ply) with the number of the part + 1 as label");
-  line.text("tree", "FILE.json", settings.tree, "write all merges, in order");
-  line.text("curve",
-            "FILE.csv",
-            settings.curve,
-            "write how tightly hulls fit for many numbers of parts");
-}
-
-void
-declareHullOptions(AbstractSettings& settings, CommandLine& line)
-{
-  const Allowed<double> length = {0.0, 1e15, "a number of metres, 0 or more"};
-  line.group("Hulls");
-  line.number("min-thickness",
-              "R",
-              {1e-15, 1e15, "a number of metres above 0"},
-              settings.hulls.min_thickness,
-              "least thickness of a hull, metres; thinner parts are thickened");
-  line.optionalNumber("max-vertices",
-                      "N",
-                      {4, INT_MAX, "a whole number, at least 4"},
-                      settings.max_vertices,
-                      "most vertices of a hull; larger ones are simplified outward");
-  line.number("padding",
-              "R",
-              length,
-              settings.hulls.padding,
-              "grow hulls outward by this, metres");
-  line.number("trim-distance",
-              "R",
-              length,
-              settings.hulls.trim_distance,
-              "leave stray points out of hulls: clusters that are farther than this "
-              "from the bulk of their part, metres; 0 for none");
-  line.number("free-distance",
-              "R",
-              {1e-15, 1e15, "a number of metres above 0"},
-              settings.free_distance,
-              "for --report and --curve: space farther than this from the scan is "
-              "free, metres");
-  line.flag("verify",
-            settings.verify,
-            "read the meshes again and check what hulls guarantee; nothing is written "
-            "when one fails");
-}
-
-bool
-readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
-{
-  CommandLine line(
-      tool,
-      "pcl_cid_abstract INPUT OUTPUT [options]",
-      "Turn a scan into convex hulls. INPUT is a PCD or PLY file, a room folder of\n"
-      "S3DIS or a scan folder of ScanNet; OUTPUT is a mesh: .obj (an object for each\n"
-      "part, colours in an .mtl beside it), .ply (colour and part number for each\n"
-      "face) or .stl.");
-  declareMergeOptions(settings, line);
-  declareHullOptions(settings, line);
-  declareSceneOptions(settings.scenes, line);
-  declareSeedOptions(settings, line);
-  declareRunOptions(settings, line);
-  line.exclude("parts", {"threshold", "merges"});
-  line.exclude("threshold", {"merges"});
-  if (!line.parse(argc, argv, {&settings.input, &settings.output}))
-    return false;
-  requireExtension("OUTPUT", settings.output, {".obj", ".ply", ".stl"});
-  if (!settings.labels.empty())
-    requireExtension("--labels", settings.labels, {".pcd", ".ply"});
-  checkSceneOptions(settings.scenes);
-  return true;
-}
-
-void
-announceOutputs(const AbstractSettings& settings, OutputFiles& outputs)
-{
-  announceScenes(settings.scenes, outputs);
-  outputs.announce(settings.output);
-  if (settings.isOBJ())
-    outputs.announce(settings.materials());
-  for (const std::string& path :
-       {settings.labels, settings.tree, settings.curve, settings.report})
-    if (!path.empty())
-      outputs.announce(path);
-}
 
 void
 configureMerging(const AbstractSettings& settings,
@@ -191,25 +39,6 @@ configureMerging(const AbstractSettings& settings,
   abstraction.setHullOptions(settings.hulls);
   abstraction.setMaxVertices(settings.max_vertices.value_or(0));
   abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
-}
-
-void
-addParameters(const AbstractSettings& settings, Report& report)
-{
-  if (settings.parts)
-    report.parameters.push_back({"parts", std::int64_t{*settings.parts}});
-  if (settings.threshold)
-    report.parameters.push_back({"threshold", *settings.threshold});
-  if (settings.merges)
-    report.parameters.push_back({"merges", std::int64_t{*settings.merges}});
-  report.parameters.push_back({"group_samples", std::int64_t{settings.group_samples}});
-  report.parameters.push_back({"min_points", std::int64_t{settings.min_points}});
-  report.parameters.push_back({"min_thickness", settings.hulls.min_thickness});
-  if (settings.max_vertices)
-    report.parameters.push_back({"max_vertices", std::int64_t{*settings.max_vertices}});
-  report.parameters.push_back({"padding", settings.hulls.padding});
-  report.parameters.push_back({"trim_distance", settings.hulls.trim_distance});
-  report.parameters.push_back({"free_distance", settings.free_distance});
 }
 
 struct Abstraction {
@@ -374,12 +203,12 @@ abstract(const AbstractSettings& settings)
 {
   Console console(settings.quiet);
   Report report;
-  report.tool = tool;
-  OutputFiles outputs(inputFiles(settings));
+  report.tool = abstract_tool;
+  OutputFiles outputs({settings.input});
   announceOutputs(settings, outputs);
 
   CloudPoints points;
-  LabelledCloud cloud = loadCloud(settings, console, report, points);
+  LabelledCloud cloud = loadCloud(settings.input, console, report, points);
   const Abstraction result = makeParts(settings, points, console, report);
   addParameters(settings, report);
   report.parts = &result.parts;
@@ -416,7 +245,7 @@ abstract(const AbstractSettings& settings)
 int
 main(int argc, char** argv)
 {
-  return runTool(tool, [&] {
+  return runTool(abstract_tool, [&] {
     AbstractSettings settings;
     if (readCommandLine(argc, argv, settings))
       abstract(settings);
