@@ -11,6 +11,7 @@
 
 #include <pcl_cid/version.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include <boost/program_options/parsers.hpp>
@@ -33,6 +34,15 @@ isThere(int argc, const char* const* argv, const std::vector<std::string>& names
 }
 
 } // namespace
+
+std::string
+alternatives(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
 
 CommandLine::CommandLine(std::string tool, std::string usage, std::string about)
 : tool_(std::move(tool)), usage_(std::move(usage)), about_(std::move(about))
@@ -93,15 +103,11 @@ CommandLine::choice(const std::string& name,
   target = 0;
   const std::string with_default = help + "; default " + words.front();
   option(name, placeholder, with_default, [=, &target](const std::string& value) {
-    std::string known;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (value == words[i]) {
-        target = i;
-        return;
-      }
-      known += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
-    }
-    throw UsageError("--" + name + " is '" + value + "'; it must be " + known);
+    const auto word = std::find(words.begin(), words.end(), value);
+    if (word == words.end())
+      throw UsageError("--" + name + " is '" + value + "'; it must be " +
+                       alternatives(words));
+    target = static_cast<std::size_t>(word - words.begin());
   });
 }
 
@@ -110,6 +116,12 @@ CommandLine::exclude(const std::string& name, const std::vector<std::string>& ot
 {
   for (const std::string& other : others)
     exclusive_.emplace_back(name, other);
+}
+
+void
+CommandLine::require(const std::string& name, const std::vector<std::string>& others)
+{
+  requiring_.emplace_back(name, others);
 }
 
 bool
@@ -146,16 +158,31 @@ CommandLine::parse(int argc,
   catch (const po::error& error) {
     throw UsageError(error.what());
   }
-  for (const auto& [name, other] : exclusive_)
-    if (values.count(name) != 0 && values.count(other) != 0)
-      throw UsageError("--" + name + " and --" + other +
-                       " exclude each other; give one of them");
+  checkCombinations([&](const std::string& name) { return values.count(name) != 0; });
   if (given.size() != files.size())
     throw UsageError(names + " are needed, " + std::to_string(files.size()) +
                      " file names; given: " + std::to_string(given.size()));
   for (std::size_t i = 0; i < files.size(); ++i)
     *files[i] = given[i];
   return true;
+}
+
+void
+CommandLine::checkCombinations(
+    const std::function<bool(const std::string&)>& is_given) const
+{
+  for (const auto& [name, other] : exclusive_)
+    if (is_given(name) && is_given(other))
+      throw UsageError("--" + name + " and --" + other +
+                       " exclude each other; give one of them");
+  for (const auto& [name, others] : requiring_) {
+    if (!is_given(name) || std::any_of(others.begin(), others.end(), is_given))
+      continue;
+    std::vector<std::string> missing;
+    for (const std::string& other : others)
+      missing.push_back("--" + other);
+    throw UsageError("--" + name + " has no effect without " + alternatives(missing));
+  }
 }
 
 void

@@ -36,6 +36,10 @@ struct Allowed {
   std::string text;
 };
 
+/** \brief ".obj, .ply or .stl". */
+std::string
+alternatives(const std::vector<std::string>& words);
+
 /** \brief The options of a tool.
  *
  *  Each is bound to a variable, whose value at that time is the default. */
@@ -107,6 +111,11 @@ public:
   void
   exclude(const std::string& name, const std::vector<std::string>& others);
 
+  /** \brief Refuse the first option where none of the others is given: it would have no
+   *  effect. */
+  void
+  require(const std::string& name, const std::vector<std::string>& others);
+
   /** \brief Read a command line, or answer `--help` and `--version`, wherever they
    * stand. \param[out] files what is not an option, exactly as many as asked for
    *  \param[in] names what the user calls them
@@ -126,6 +135,9 @@ private:
          const std::string& placeholder,
          const std::string& help,
          const Take& take);
+
+  void
+  checkCombinations(const std::function<bool(const std::string&)>& is_given) const;
 
   void
   printHelp() const;
@@ -150,6 +162,7 @@ private:
   std::string about_;
   std::vector<boost::program_options::options_description> groups_;
   std::vector<std::pair<std::string, std::string>> exclusive_;
+  std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;
 };
 
 } // namespace pcl_cid::tools

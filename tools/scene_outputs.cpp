@@ -122,6 +122,8 @@ declareSceneOptions(SceneSettings& settings, CommandLine& line)
             "NAME",
             settings.frame,
             "the cloud's frame: the link in URDF and SDF; default " + settings.frame);
+  line.require("parts-format", {"parts-dir", "urdf", "sdf", "mjcf"});
+  line.require("frame", {"urdf", "sdf"});
 }
 
 void

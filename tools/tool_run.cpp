@@ -156,13 +156,10 @@ requireExtension(const std::string& name,
                  const std::string& path,
                  const std::vector<std::string>& extensions)
 {
-  std::string known;
-  for (const std::string& extension : extensions) {
-    if (extensionOf(path) == extension)
-      return;
-    known += (known.empty() ? "" : " or ") + extension;
-  }
-  throw UsageError(name + " is '" + path + "'; its name must end in " + known);
+  if (std::find(extensions.begin(), extensions.end(), extensionOf(path)) ==
+      extensions.end())
+    throw UsageError(name + " is '" + path + "'; its name must end in " +
+                     alternatives(extensions));
 }
 
 Console::Console(bool quiet)

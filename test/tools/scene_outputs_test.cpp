@@ -254,6 +254,30 @@ TEST_F(SceneOutputs, RefuseAWrongCommandLine)
   EXPECT_EQ(everything(), before);
 }
 
+TEST_F(SceneOutputs, RefuseOptionsThatHaveNoEffect)
+{
+  const auto before = everything();
+  using Words = std::vector<std::string>;
+  for (const auto& [words, missing] :
+       {std::pair(Words{"--frame", "map"}, "--urdf or --sdf"),
+        std::pair(Words{"--frame", "map", "--mjcf", file("a.xml")}, "--urdf or --sdf"),
+        std::pair(Words{"--frame", "map", "--moveit", file("a.scene")},
+                  "--urdf or --sdf"),
+        std::pair(Words{"--parts-format", "obj"}, "--mjcf"),
+        std::pair(Words{"--parts-format", "stl", "--moveit", file("a.scene")},
+                  "--parts-dir")}) {
+    Words arguments{scan_, file("a.obj")};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const ToolRun done = run("pcl_cid_abstract", arguments);
+    EXPECT_EQ(done.exit_code, 2) << done.out << done.err;
+    EXPECT_NE(done.err.find(words[0] + " has no effect without"), std::string::npos)
+        << done.err;
+    EXPECT_NE(done.err.find(missing), std::string::npos) << done.err;
+    EXPECT_EQ(linesOf(done.err), 1u) << done.err;
+  }
+  EXPECT_EQ(everything(), before);
+}
+
 TEST_F(SceneOutputs, LeaveNothingWhenOneCannotBeWritten)
 {
   fs::create_symlink("/dev/full", file("full.scene"));
