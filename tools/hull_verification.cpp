@@ -16,14 +16,14 @@
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_import.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <unordered_map>
 
 namespace pcl_cid::tools {
 namespace {
 
-/** Hulls from a file, and how far the file may have moved their coordinates. */
+/** Hulls from a file, and whether it has rounded their coordinates to float. */
 struct StoredHulls {
   std::vector<TriangleMesh> hulls;
   bool is_float;
@@ -66,15 +66,29 @@ splitIntoParts(const TriangleMesh& mesh, const std::vector<ConvexPart>& parts)
 }
 
 StoredHulls
-readHulls(const std::string& file,
-          const std::string& extension,
-          const std::vector<ConvexPart>& parts)
+readFile(const std::string& file,
+         const std::string& extension,
+         const std::vector<ConvexPart>& parts)
 {
   if (extension == ".obj")
     return {readOBJ(file), false};
   if (extension == ".ply")
     return {readPLY(file), false};
   return {splitIntoParts(readSTL(file), parts), true};
+}
+
+/** One hull for each part, from an output that is not committed yet. */
+StoredHulls
+readHulls(const std::string& path,
+          const std::vector<ConvexPart>& parts,
+          OutputFiles& outputs)
+{
+  StoredHulls stored =
+      readFile(outputs.pathBeforeCommit(path), extensionOf(path), parts);
+  if (stored.hulls.size() != parts.size())
+    throw CIDException("it has " + std::to_string(stored.hulls.size()) +
+                       " hulls; it must have " + std::to_string(parts.size()));
+  return stored;
 }
 
 std::vector<Eigen::Vector3d>
@@ -117,9 +131,6 @@ named(const std::string& path, const Work& work)
   try {
     work();
   }
-  catch (const CIDCancelled&) {
-    throw;
-  }
   catch (const CIDException& error) {
     throw CIDException(path + ": verification: " + error.what());
   }
@@ -133,12 +144,7 @@ verifyMesh(const std::string& path,
            OutputFiles& outputs)
 {
   named(path, [&] {
-    const StoredHulls stored = readHulls(
-        outputs.pathBeforeCommit(path), extensionOf(path), verification.parts);
-    if (stored.hulls.size() != verification.parts.size())
-      throw CIDException("it has " + std::to_string(stored.hulls.size()) +
-                         " hulls; there are " +
-                         std::to_string(verification.parts.size()) + " parts");
+    const StoredHulls stored = readHulls(path, verification.parts, outputs);
     for (std::size_t k = 0; k < stored.hulls.size(); ++k)
       verifyHull(
           k, stored.hulls[k], stored.is_float, Eigen::Vector3d::Zero(), verification);
@@ -155,11 +161,7 @@ verifyParts(const std::string& folder,
     const std::string path =
         std::filesystem::path(folder) / partFileName(k, scene.mesh_format);
     named(path, [&] {
-      const StoredHulls stored = readHulls(
-          outputs.pathBeforeCommit(path), extensionOf(path), {verification.parts[k]});
-      if (stored.hulls.size() != 1)
-        throw CIDException("it has " + std::to_string(stored.hulls.size()) +
-                           " hulls; it must have 1");
+      const StoredHulls stored = readHulls(path, {verification.parts[k]}, outputs);
       verifyHull(k, stored.hulls.front(), stored.is_float, scene.origin, verification);
     });
   }

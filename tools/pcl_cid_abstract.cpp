@@ -204,11 +204,11 @@ abstract(const AbstractSettings& settings)
   Console console(settings.quiet);
   Report report;
   report.tool = abstract_tool;
-  OutputFiles outputs({settings.input});
+  OutputFiles outputs(inputFiles(settings));
   announceOutputs(settings, outputs);
 
   CloudPoints points;
-  LabelledCloud cloud = loadCloud(settings.input, console, report, points);
+  LabelledCloud cloud = loadCloud(settings, console, report, points);
   const Abstraction result = makeParts(settings, points, console, report);
   addParameters(settings, report);
   report.parts = &result.parts;
