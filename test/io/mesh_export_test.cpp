@@ -8,6 +8,7 @@
  */
 
 #include "cloud_files.h"
+#include "hulls.h"
 
 #include <pcl_cid/io/mesh_export.h>
 
@@ -43,15 +44,6 @@ twoParts()
     parts.push_back(makeConvexPart(points, members, {}));
   }
   return parts;
-}
-
-std::size_t
-trianglesOf(const std::vector<ConvexPart>& parts)
-{
-  std::size_t triangles = 0;
-  for (const ConvexPart& part : parts)
-    triangles += part.hull.triangles.size();
-  return triangles;
 }
 
 std::size_t

@@ -8,6 +8,7 @@
  */
 
 #include "exported_scene.h"
+#include "hulls.h"
 
 #include <pcl_cid/io/mesh_export.h>
 
@@ -76,15 +77,6 @@ protected:
 
   ::Assimp::Importer importer_;
 };
-
-std::size_t
-trianglesOf(const std::vector<ConvexPart>& parts)
-{
-  std::size_t triangles = 0;
-  for (const ConvexPart& part : parts)
-    triangles += part.hull.triangles.size();
-  return triangles;
-}
 
 TEST_F(AssimpTest, FindsAMeshForEachPartOfAnOBJ)
 {

@@ -7,9 +7,10 @@
  * Hulls as convex shapes of FCL, which MoveIt and OMPL users check collisions with.
  */
 
+#include "collision_map.h"
 #include "exported_scene.h"
 
-#include <memory>
+#include <pcl_cid/io/mesh_export.h>
 
 #include <fcl/fcl.h>
 #include <gtest/gtest.h>
@@ -17,34 +18,30 @@
 namespace pcl_cid::test {
 namespace {
 
-/** The hull about the scene's origin; invalid ones are refused by FCL. */
-fcl::Convexd
-convexOf(const ConvexPart& part, const Eigen::Vector3d& origin)
+/** The hull of a part about an origin near it. */
+planning::Shape
+shapeAbout(const Eigen::Vector3d& origin, const ConvexPart& part)
 {
-  const auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
-  for (const Eigen::Vector3d& vertex : part.hull.vertices)
-    vertices->push_back(vertex - origin);
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const auto& triangle : part.hull.triangles) {
-    faces->push_back(3);
-    faces->insert(faces->end(), triangle.begin(), triangle.end());
-  }
-  constexpr bool throw_if_invalid = true;
-  return fcl::Convexd(
-      vertices, static_cast<int>(part.hull.triangles.size()), faces, throw_if_invalid);
+  std::vector<ConvexPart> moved{part};
+  translate(-origin, moved);
+  return planning::shapeOf(moved[0].hull);
 }
 
 /** By libccd, FCL's default. */
 bool
-collides(const fcl::Convexd& convex, const Eigen::Vector3d& centre, double radius)
+collides(const planning::Shape& convex, const Eigen::Vector3d& centre, double radius)
 {
   const fcl::Sphered sphere(radius);
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   pose.translation() = centre;
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
-  return fcl::collide(
-             &convex, fcl::Transform3d::Identity(), &sphere, pose, request, result) > 0;
+  return fcl::collide(convex.get(),
+                      fcl::Transform3d::Identity(),
+                      &sphere,
+                      pose,
+                      request,
+                      result) > 0;
 }
 
 TEST(FCL, HitsInsideAHullAndMissesOutside)
@@ -53,7 +50,7 @@ TEST(FCL, HitsInsideAHullAndMissesOutside)
     SCOPED_TRACE(scene.name);
     const Eigen::Vector3d origin = sceneOrigin(scene.parts);
     for (const ConvexPart& part : scene.parts) {
-      const fcl::Convexd convex = convexOf(part, origin);
+      const planning::Shape convex = shapeAbout(origin, part);
       const Eigen::Vector3d middle = middleOf(part.hull) - origin;
       const double radius = 0.2 * part.thickness;
       EXPECT_TRUE(collides(convex, middle, radius));
@@ -74,7 +71,7 @@ TEST(FCL, MeasuresTheVolumeThatWeReport)
   for (const PartScene& scene : scenesToExport()) {
     SCOPED_TRACE(scene.name);
     for (const ConvexPart& part : scene.parts)
-      EXPECT_NEAR(convexOf(part, middleOf(part.hull)).computeVolume(),
+      EXPECT_NEAR(shapeAbout(middleOf(part.hull), part)->computeVolume(),
                   part.volume,
                   1e-6 * part.volume);
   }

@@ -93,6 +93,15 @@ inDouble(const Points& points)
   return result;
 }
 
+std::size_t
+trianglesOf(const std::vector<ConvexPart>& parts)
+{
+  std::size_t triangles = 0;
+  for (const ConvexPart& part : parts)
+    triangles += part.hull.triangles.size();
+  return triangles;
+}
+
 void
 expectGuarantees(const ConvexPart& part,
                  const Points& points,

@@ -33,6 +33,10 @@ partOf(const Points& points, const ConvexPartOptions& options = {});
 std::vector<Eigen::Vector3d>
 inDouble(const Points& points);
 
+/** How many triangles all the hulls have. */
+std::size_t
+trianglesOf(const std::vector<ConvexPart>& parts);
+
 /** Fails with the first guarantee that a part breaks; its volume, area and thickness
  *  must be those of its hull.
  *  \param[in] points of the input cloud
