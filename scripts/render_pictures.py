@@ -4,7 +4,7 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# Pictures of a labelled cloud (PLY) beside the hulls of its parts (OBJ).
+# Pictures of a labelled cloud (PLY) beside the hulls of its parts (OBJ) over its points.
 
 import argparse
 
@@ -68,7 +68,7 @@ def prepare_axes(axes, low, high, args, title):
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
     axes.set_zlim(low[2], high[2])
-    axes.set_box_aspect(high - low, zoom=1.45)
+    axes.set_box_aspect(high - low, zoom=args.zoom)
     axes.view_init(elev=args.elevation, azim=args.azimuth)
     axes.set_axis_off()
 
@@ -83,6 +83,7 @@ def main():
                         help="share of the height that is shown (removes a ceiling)")
     parser.add_argument("--elevation", type=float, default=50)
     parser.add_argument("--azimuth", type=float, default=-60)
+    parser.add_argument("--zoom", type=float, default=1.3)
     parser.add_argument("--points", type=int, default=60000)
     args = parser.parse_args()
 
@@ -105,6 +106,7 @@ def main():
     prepare_axes(axes, low, high, args, f"{len(np.unique(label))} parts of the scan")
 
     axes = figure.add_subplot(1, 2, 2, projection="3d")
+    axes.scatter(*xyz[shown].T, color="0.25", s=0.6, linewidths=0, alpha=0.35)
     kept = 0
     for part, triangles in enumerate(groups):
         corners = vertices[np.array(triangles)]
@@ -112,9 +114,9 @@ def main():
             continue
         kept += 1
         axes.add_collection3d(Poly3DCollection(
-            corners, facecolor=(*colours[part + 1], 0.45),
+            corners, facecolor=(*colours[part + 1], 0.35),
             edgecolor=(*(0.6 * colours[part + 1]), 0.35), linewidth=0.25))
-    prepare_axes(axes, low, high, args, f"their convex hulls ({kept} shown)")
+    prepare_axes(axes, low, high, args, f"their convex hulls ({kept} shown) over the scan")
     figure.subplots_adjust(left=0, right=1, bottom=0, top=0.94, wspace=0)
     figure.savefig(args.picture, dpi=100)
 
