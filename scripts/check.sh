@@ -20,7 +20,8 @@ test_preset() {
 colcon_package() {
   local workspace=$PWD/build/colcon
   mkdir -p "$workspace"
-  run colcon --log-base "$workspace/log" build \
+  # Left alone, colcon has Ninja wait while the machine's load is high.
+  run env MAKEFLAGS=-j"$(nproc)" CMAKE_BUILD_PARALLEL_LEVEL="$(nproc)" colcon --log-base "$workspace/log" build \
     --paths . --build-base "$workspace/build" --install-base "$workspace/install" \
     --event-handlers console_direct- \
     --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF

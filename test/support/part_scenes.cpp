@@ -108,6 +108,7 @@ roomParts()
   abstraction.setInputCloud(toCloud(scan.points));
   abstraction.setNumberOfSeeds(30);
   abstraction.setNumberOfParts(15);
+  abstraction.setStopAtCut(true);
   PartScene scene;
   scene.name = "room";
   for (const Eigen::Vector3f& point : scan.points)
