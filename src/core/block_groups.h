@@ -12,7 +12,7 @@
 #include "block_tree.h"
 #include "distance_grid.h"
 #include "parallel_for.h"
-#include "segment_samples.h"
+#include "segment_search.h"
 
 #include <pcl_cid/core/seed_proposal.h>
 

@@ -166,10 +166,13 @@ public:
   scan(std::size_t number, const Eigen::Vector3f& x, Nearest& nearest) const
   {
     const auto squared = block(number).squaredDistances(x);
-    if (squared.minCoeff() >= nearest.squared_distance)
+    const float smallest = squared.minCoeff();
+    if (smallest >= nearest.squared_distance)
       return;
     int row = 0;
-    nearest.squared_distance = squared.minCoeff(&row);
+    while (squared[row] != smallest)
+      ++row;
+    nearest.squared_distance = smallest;
     nearest.slot = static_cast<std::int32_t>(number) * PointBlock::capacity + row;
   }
 

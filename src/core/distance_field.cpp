@@ -92,21 +92,26 @@ DistanceField::search() const
   return *search_;
 }
 
+DistanceField::Nearest
+DistanceField::nearestPoint(const Eigen::Vector3f& x) const
+{
+  BlockTree::Nearest found = grid_->nearest(x);
+  if (found.slot < 0 && has_own_search_) {
+    const Eigen::Vector3f point =
+        (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))]
+            .getVector3fMap();
+    const Eigen::Vector3f d = x - point;
+    return {point, std::sqrt((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z())};
+  }
+  if (found.slot < 0)
+    tree_->descend(1, x, found);
+  return {tree_->position(found.slot), std::sqrt(found.squared_distance)};
+}
+
 float
 DistanceField::distance(const Eigen::Vector3f& x) const
 {
-  const float listed = grid_->distance(x);
-  if (listed >= 0.0f)
-    return listed;
-  if (has_own_search_) {
-    const Eigen::Vector3f d =
-        x - (*search().getInputCloud())[static_cast<std::size_t>(nearest(x))]
-                .getVector3fMap();
-    return std::sqrt((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z());
-  }
-  BlockTree::Nearest found;
-  tree_->descend(1, x, found);
-  return std::sqrt(found.squared_distance);
+  return nearestPoint(x).distance;
 }
 
 DistanceBounds

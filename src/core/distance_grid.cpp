@@ -391,32 +391,26 @@ DistanceGrid::makeList(const Region& region, Growth& growth) const
   return list;
 }
 
-float
-DistanceGrid::distance(const Eigen::Vector3f& x) const
+BlockTree::Nearest
+DistanceGrid::nearest(const Eigen::Vector3f& x) const
 {
   const Place place = placeOf(x);
   const Leaf leaf = leafAt(place);
   if (!place.inside || leaf.cell->list == 0)
-    return -1.0f;
+    return {};
   const std::int32_t* list = &leaf.piece->lists[leaf.cell->list];
   // The block of the point nearest to the centre first: most others are farther then.
   const auto likely = static_cast<std::size_t>(leaf.cell->slot / PointBlock::capacity);
   BlockTree::Nearest nearest;
-  nearest.squared_distance = tree_.block(likely).squaredDistances(x).minCoeff();
+  tree_.scan(likely, x, nearest);
   for (std::int32_t k = 1; k <= list[0]; ++k) {
     const auto node = static_cast<std::size_t>(list[k]);
-    if (node == tree_.nodeOfBlock(likely) ||
-        tree_.box(node).squaredDistance(x) >
+    if (node != tree_.nodeOfBlock(likely) &&
+        tree_.box(node).squaredDistance(x) <=
             nearest.squared_distance * BlockTree::rounding)
-      continue;
-    if (tree_.isBlock(node))
-      nearest.squared_distance =
-          std::min(nearest.squared_distance,
-                   tree_.block(node - tree_.size()).squaredDistances(x).minCoeff());
-    else
       tree_.descend(node, x, nearest);
   }
-  return std::sqrt(nearest.squared_distance);
+  return nearest;
 }
 
 } // namespace pcl_cid

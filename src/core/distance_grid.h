@@ -60,18 +60,18 @@ public:
             (x - nearest).norm() * widening + slack_};
   }
 
-  /** \brief The upper bound alone. */
-  float
-  high(const Eigen::Vector3f& x) const
+  /** \brief The surface point that the upper bound comes from: the one nearest to the
+   *  centre of the cell of x. */
+  const Eigen::Vector3f&
+  likelyNearest(const Eigen::Vector3f& x) const
   {
-    return (x - tree_.position(leafAt(placeOf(x)).cell->slot)).norm() * widening +
-           slack_;
+    return tree_.position(leafAt(placeOf(x)).cell->slot);
   }
 
-  /** \brief d(x; S), when the cell of x lists who can be nearest; negative when it
-   *  does not. */
-  float
-  distance(const Eigen::Vector3f& x) const;
+  /** \brief A surface point at distance d(x; S), when the cell of x lists who can be
+   *  nearest; slot -1 when it does not. */
+  BlockTree::Nearest
+  nearest(const Eigen::Vector3f& x) const;
 
   std::size_t
   bytes() const;

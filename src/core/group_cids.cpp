@@ -46,15 +46,23 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
 , values_(drawn_.size() * drawn_.size(), 0.0)
 , known_(values_.size(), Known::roughly)
 {
-  parallelFor(drawn_.size(),
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < drawn_.size(); ++i)
+    for (std::size_t j = i + 1; j < drawn_.size(); ++j)
+      pairs.push_back({i, j});
+  // The whole tree depends on every pair: bounds first would be of no use.
+  const bool exactly = options.makesWholeTree();
+  parallelFor(pairs.size(),
               1,
               threads_,
               progress_,
-              {0.0, bounds_share},
+              {0.0, exactly ? 1.0 : bounds_share},
               [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i)
-                  for (std::size_t j = i + 1; j < drawn_.size(); ++j)
-                    values_[place({i, j})] = lowerBound({i, j}, rough);
+                for (std::size_t k = begin; k < end; ++k)
+                  if (exactly)
+                    evaluate(pairs[k]);
+                  else
+                    values_[place(pairs[k])] = lowerBound(pairs[k], rough);
               });
 }
 
@@ -76,15 +84,21 @@ GroupCIDs::tighten(const std::vector<Pair>& pairs)
 void
 GroupCIDs::tighten(Pair pair)
 {
-  double& value = values_[place(pair)];
   Known& known = known_[place(pair)];
-  if (known == Known::roughly) {
-    value = lowerBound(pair, good);
-    known = Known::well;
+  if (known != Known::roughly) {
+    evaluate(pair);
     return;
   }
-  value = groupCID(field_, drawn_[pair.i], drawn_[pair.j], order_.samples());
-  known = Known::exactly;
+  values_[place(pair)] = lowerBound(pair, good);
+  known = Known::well;
+}
+
+void
+GroupCIDs::evaluate(Pair pair)
+{
+  values_[place(pair)] =
+      groupCID(field_, drawn_[pair.i], drawn_[pair.j], order_.samples());
+  known_[place(pair)] = Known::exactly;
 }
 
 /** Eq. 3 with, for each pair of points, a certified lower bound of d at a sample that

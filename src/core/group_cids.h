@@ -64,6 +64,9 @@ private:
   void
   tighten(Pair pair);
 
+  void
+  evaluate(Pair pair);
+
   struct Effort;
   static const Effort rough;
   static const Effort good;

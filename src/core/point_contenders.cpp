@@ -88,19 +88,16 @@ BlockGroups::decide(const Eigen::Vector3f& point,
   for (;;) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
     Contender& first = open.front();
-    if (!first.settled) {
-      const float limit = limitFor(first, open, few);
-      const float cid = compare(first, point, limit, keep_cid);
-      first.settled = cid < limit;
-      first.low = std::max(first.low, cid);
-    }
-    const bool still_first = std::min_element(open.begin(), open.end()) == open.begin();
-    if (first.settled && still_first) {
+    if (first.settled) {
       state.group = first.number;
       state.cid = state.high = first.low;
       state.decided = static_cast<std::int32_t>(seeds_.size());
       return;
     }
+    const float limit = limitFor(first, open, few);
+    const float cid = compare(first, point, limit, keep_cid);
+    first.settled = cid < limit;
+    first.low = std::max(first.low, cid);
   }
 }
 

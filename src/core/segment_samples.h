@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,8 +32,15 @@ public:
   };
   using Level = std::vector<Entry>;
 
-  explicit SampleOrder(int samples) : samples_(samples)
+  /** Numbers that are worked on together. */
+  static constexpr int packet = 4;
+
+  explicit SampleOrder(int samples)
+  : samples_(samples), fractions_((samples + packet - 1) / packet * packet)
   {
+    const float share = 1.0f / static_cast<float>(samples - 1);
+    for (int l = 0; l < fractions_.size(); ++l)
+      fractions_[l] = static_cast<float>(std::min(l, samples - 1)) * share;
     Level open;
     addBetween(0, last(), open);
     while (!open.empty()) {
@@ -61,6 +67,14 @@ public:
     return static_cast<std::size_t>(samples_) - 1;
   }
 
+  /** \brief Where on the way each sample is, 0 to 1; the last one is repeated until
+   *  packets are full. */
+  const Eigen::ArrayXf&
+  fractions() const
+  {
+    return fractions_;
+  }
+
   /** \brief All samples but the ends. */
   const std::vector<Level>&
   levels() const
@@ -83,6 +97,7 @@ private:
   }
 
   int samples_;
+  Eigen::ArrayXf fractions_;
   std::vector<Level> levels_;
 };
 
@@ -128,42 +143,5 @@ struct SegmentSamples {
            slack;
   }
 };
-
-/** \brief A segment whose CID is asked for. */
-struct Segment {
-  const Eigen::Vector3f& p;
-  const Eigen::Vector3f& q;
-  bool between_surface_points; ///< d is known to be 0 at both ends
-};
-
-/** \brief Whether the CID of a segment reaches a limit, which is cheaper than the CID.
- *  \param[in,out] hint the sample to look at first, since one that is far from the
- *  surface decides; on return the one that did, which is a good hint for the next
- *  segment close to this one
- *  \return at least \a limit and at most the CID; nothing when the CID is less */
-std::optional<float>
-findCIDAtLeast(const DistanceField& field,
-               const Segment& segment,
-               const SampleOrder& order,
-               float limit,
-               std::size_t& hint);
-
-/** \brief An upper bound of the CID of a segment, from bounds of d alone; \a limit or
- *  more when it is of no use.
- *  \param[in,out] hint as for findCIDAtLeast() */
-float
-boundPointCID(const DistanceField& field,
-              const Segment& segment,
-              const SampleOrder& order,
-              float limit,
-              std::size_t& hint);
-
-/** \brief pointCID() with the order of the samples at hand, and a hint. */
-float
-pointCID(const DistanceField& field,
-         const Segment& segment,
-         const SampleOrder& order,
-         float limit,
-         std::size_t& hint);
 
 } // namespace pcl_cid

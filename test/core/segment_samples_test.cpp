@@ -78,37 +78,5 @@ TEST(SegmentSamples, BoundBetweenTwoSamplesHolds)
   }
 }
 
-TEST(SegmentSamples, ComparisonsHoldWhateverTheHint)
-{
-  const Points surface = twoBoxes(2000, 153);
-  const DistanceField field(surface);
-  for (const int samples : {2, 3, 40, 100}) {
-    const SampleOrder order(samples);
-    for (std::size_t i = 0; i + 1 < 300; ++i) {
-      const Segment segment{surface[i], surface[i + 1], true};
-      const Segment unknown{segment.p, segment.q, false};
-      const float cid = pointCID(field, segment.p, segment.q, samples);
-      for (const float limit : {0.5f * cid, cid, std::nextafter(cid, 9.0f), 2.0f * cid})
-        for (std::size_t first = 0; first <= order.last(); first += 13)
-          for (const Segment& asked : {segment, unknown}) {
-            std::size_t hint = first;
-            const auto found = findCIDAtLeast(field, asked, order, limit, hint);
-            EXPECT_EQ(found.has_value(), cid >= limit);
-            if (found) {
-              EXPECT_GE(*found, limit);
-              EXPECT_LE(*found, cid);
-            }
-            EXPECT_LE(hint, order.last());
-            hint = first;
-            const float bound = boundPointCID(field, asked, order, limit, hint);
-            EXPECT_GE(bound, std::min(cid, limit));
-            hint = first;
-            const float exact = pointCID(field, asked, order, 1e9f, hint);
-            EXPECT_EQ(exact, cid);
-          }
-    }
-  }
-}
-
 } // namespace
 } // namespace pcl_cid::test

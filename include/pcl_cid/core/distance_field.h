@@ -71,9 +71,20 @@ public:
   DistanceField&
   operator=(const DistanceField&) = delete;
 
+  /** \brief A surface point that is nearest to x. */
+  struct Nearest {
+    Eigen::Vector3f point;
+    float distance; ///< d(x; S)
+  };
+
   /** \brief d(x; S), in the unit of the coordinates. */
   float
   distance(const Eigen::Vector3f& x) const;
+
+  /** \brief d(x; S), and a point of S at that distance; which one of several, is not
+   *  said. */
+  Nearest
+  nearestPoint(const Eigen::Vector3f& x) const;
 
   /** \brief Certified bounds of d(x; S), without a search. */
   DistanceBounds

@@ -149,6 +149,14 @@ struct GroupMergingOptions {
   std::size_t stop_at_parts = 1;
   double stop_at_height = std::numeric_limits<double>::infinity();
 
+  /** \brief Whether all merges are made. */
+  bool
+  makesWholeTree() const
+  {
+    return stop_at_parts <= 1 &&
+           stop_at_height == std::numeric_limits<double>::infinity();
+  }
+
   /** \brief Stop where a cut of the whole tree would be; the elbow needs all of it.
    *  \param[in] cut where
    *  \param[in] groups K */

@@ -1,0 +1,141 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What is said of the CID of one segment, against all of its samples.
+ */
+
+#include "../../src/core/segment_search.h"
+
+#include "clouds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace pcl_cid::test {
+namespace {
+
+/** Eq. 2, one sample after the other. */
+float
+literalCID(const DistanceField& field, const Segment& segment, int samples)
+{
+  float largest = 0.0f;
+  for (int l = 0; l < samples; ++l)
+    largest = std::max(largest,
+                       field.distance(segmentSample(segment.p, segment.q, l, samples)));
+  return largest;
+}
+
+/** A value, bounds and comparisons agree with Eq. 2 wherever the search begins. */
+void
+expectEquation2(const DistanceField& field, const Segment& segment, int samples)
+{
+  const SampleOrder order(samples);
+  const float cid = literalCID(field, segment, samples);
+  const std::size_t stride = std::max<std::size_t>(1, order.last() / 7);
+  for (const float limit :
+       {0.0f, 0.5f * cid, cid, std::nextafter(cid, 9e9f), 2.0f * cid, 1e9f})
+    for (std::size_t first = 0; first <= order.last(); first += stride) {
+      std::size_t hint = first;
+      const auto found = findCIDAtLeast(field, segment, order, limit, hint);
+      EXPECT_EQ(found.has_value(), cid >= limit);
+      if (found) {
+        EXPECT_GE(*found, limit);
+        EXPECT_LE(*found, cid);
+      }
+      EXPECT_LE(hint, order.last());
+      hint = first;
+      EXPECT_GE(boundPointCID(field, segment, order, limit, hint),
+                std::min(cid, limit));
+      EXPECT_LE(hint, order.last());
+      hint = first;
+      const float value = pointCID(field, segment, order, limit, hint);
+      if (cid < limit) {
+        EXPECT_EQ(value, cid);
+      }
+      else {
+        EXPECT_GE(value, limit);
+        EXPECT_LE(value, cid);
+      }
+      hint = first;
+      EXPECT_EQ(
+          pointCID(field, segment, order, std::numeric_limits<float>::infinity(), hint),
+          cid);
+    }
+}
+
+class SegmentSearchAtScale : public testing::TestWithParam<float> {};
+
+TEST_P(SegmentSearchAtScale, EqualsEquation2WhateverTheHint)
+{
+  Points surface = twoBoxes(2000, 153);
+  for (Eigen::Vector3f& p : surface)
+    p *= GetParam();
+  const DistanceField field(surface);
+  for (const int samples : {2, 3, 40, 100})
+    for (std::size_t i = 0; i + 1 < 50; ++i) {
+      expectEquation2(field, {surface[i], surface[i + 1], true}, samples);
+      expectEquation2(field, {surface[i], surface[i + 1], false}, samples);
+    }
+}
+
+TEST_P(SegmentSearchAtScale, EqualsEquation2OffTheSurface)
+{
+  Points surface = twoBoxes(500, 154);
+  Points ends = randomCube(60, 155);
+  for (Eigen::Vector3f& p : surface)
+    p *= GetParam();
+  for (Eigen::Vector3f& p : ends)
+    p = GetParam() * (3.0f * p - Eigen::Vector3f::Ones());
+  const DistanceField field(surface);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    expectEquation2(field, {ends[i], ends[i + 1], false}, 100);
+}
+
+// At 1e-20 the squares of coordinates are below what float holds in full.
+INSTANTIATE_TEST_SUITE_P(Scales,
+                         SegmentSearchAtScale,
+                         testing::Values(1.0f, 1e-3f, 1e4f, 1e-20f),
+                         [](const auto& info) {
+                           return "Case" + std::to_string(info.index);
+                         });
+
+TEST(SegmentSearch, SegmentsOfNoLengthAndSurfacesOfOnePoint)
+{
+  const Points surface = {{0.1f, 0.2f, 0.3f}};
+  const Points ends = {{0.1f, 0.2f, 0.3f}, {1.0f, 2.0f, 3.0f}, {-1.0f, 2.0f, 0.0f}};
+  const DistanceField field(surface);
+  for (const Eigen::Vector3f& p : ends)
+    for (const Eigen::Vector3f& q : ends)
+      for (const int samples : {2, 5, 100})
+        expectEquation2(field, {p, q, false}, samples);
+}
+
+TEST(SegmentSearch, ManySamples)
+{
+  const Points surface = twoBoxes(300, 156);
+  const DistanceField field(surface);
+  for (std::size_t i = 0; i + 1 < 8; ++i)
+    expectEquation2(field, {surface[i], surface[i + 1], true}, 1025);
+}
+
+TEST(SegmentSearch, OnRealScans)
+{
+  for (const char* name : {"room_scan1.pcd", "mosd_learn4.pcd"}) {
+    const auto scan = loadSharedScan(name);
+    if (!scan)
+      GTEST_SKIP() << "../shared/data/" << name << " is absent";
+    const Points surface = crop(*scan, 20000, 3);
+    const DistanceField field(surface);
+    for (std::size_t i = 0; i + 1000 < surface.size(); i += 1000)
+      expectEquation2(field, {surface[i], surface[i + 999], true}, 100);
+  }
+}
+
+} // namespace
+} // namespace pcl_cid::test
