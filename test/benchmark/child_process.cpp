@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include <errno.h> // program_invocation_short_name
 #include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,11 +53,13 @@ resetPeak()
                              "needs Linux");
 }
 
-/** What a child sends: this, then the seeds. */
+/** What a child sends: this, then the seeds, then the labels. */
 struct Header {
   double seconds;
   double share;
   std::uint64_t peak_bytes;
+  std::uint64_t seeds;
+  std::uint64_t labels;
 };
 
 void
@@ -72,6 +75,13 @@ send(int pipe, const void* data, std::size_t size)
   }
 }
 
+template <typename Value>
+void
+sendAll(int pipe, const std::vector<Value>& values)
+{
+  send(pipe, values.data(), values.size() * sizeof(Value));
+}
+
 /** The child's part; its exit code. */
 int
 runChild(int pipe, const std::function<Measurement()>& measure)
@@ -80,13 +90,18 @@ runChild(int pipe, const std::function<Measurement()>& measure)
     resetPeak();
     const std::size_t before = memoryStatus("VmRSS");
     const Measurement result = measure();
-    const Header header{result.seconds, result.share, memoryStatus("VmHWM") - before};
+    const Header header{result.seconds,
+                        result.share,
+                        memoryStatus("VmHWM") - before,
+                        result.seeds.size(),
+                        result.labels.size()};
     send(pipe, &header, sizeof(header));
-    send(pipe, result.seeds.data(), result.seeds.size() * sizeof(pcl::index_t));
+    sendAll(pipe, result.seeds);
+    sendAll(pipe, result.labels);
     return 0;
   }
   catch (const std::exception& error) {
-    std::cerr << "cid_end_to_end: " << error.what() << std::endl;
+    std::cerr << program_invocation_short_name << ": " << error.what() << std::endl;
     return 1;
   }
 }
@@ -102,19 +117,33 @@ receiveAll(int pipe)
   return bytes;
 }
 
-Measurement
-decode(const std::vector<char>& bytes)
+/** Take values off the front. */
+template <typename Value>
+std::vector<Value>
+take(std::size_t count, const char*& bytes)
 {
-  Header header{};
-  std::memcpy(&header, bytes.data(), sizeof(header));
+  std::vector<Value> values(count);
+  if (count > 0)
+    std::memcpy(values.data(), bytes, count * sizeof(Value));
+  bytes += count * sizeof(Value);
+  return values;
+}
+
+Measurement
+decode(const std::vector<char>& received)
+{
+  const char* bytes = received.data();
+  const Header header = take<Header>(1, bytes).front();
+  const std::size_t announced = sizeof(header) + header.seeds * sizeof(pcl::index_t) +
+                                header.labels * sizeof(std::uint32_t);
+  if (received.size() != announced)
+    throw std::runtime_error("a measurement was cut short");
   Measurement result;
   result.seconds = header.seconds;
   result.share = header.share;
   result.peak_bytes = header.peak_bytes;
-  result.seeds.resize((bytes.size() - sizeof(header)) / sizeof(pcl::index_t));
-  std::memcpy(result.seeds.data(),
-              bytes.data() + sizeof(header),
-              result.seeds.size() * sizeof(pcl::index_t));
+  result.seeds = take<pcl::index_t>(header.seeds, bytes);
+  result.labels = take<std::uint32_t>(header.labels, bytes);
   return result;
 }
 

@@ -10,7 +10,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include <pcl/types.h>
 
@@ -26,6 +28,8 @@ struct Measurement {
   std::size_t peak_bytes = 0;
   /** The seeds that were found, indices of the cloud; may be empty. */
   pcl::Indices seeds;
+  /** A label for each point of the cloud; may be empty. */
+  std::vector<std::uint32_t> labels;
 };
 
 /** \brief Run \a measure in a child of this process and wait for it.

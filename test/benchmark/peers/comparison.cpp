@@ -1,0 +1,81 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Methods measured and scored on one scan.
+ */
+
+#include "comparison.h"
+
+#include "cid_curve.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace pcl_cid::benchmarks {
+namespace {
+
+Measurement
+timed(const std::function<Measurement()>& work)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begun = Clock::now();
+  Measurement result = work();
+  result.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+  return result;
+}
+
+} // namespace
+
+PeerRow
+measureAndScore(const PeerScan& scan, PeerRun run)
+{
+  PeerRow row;
+  row.measured = measureInChild([&] { return timed(run.work); });
+  row.run = std::move(run);
+  row.labels = std::move(row.measured.labels);
+  row.parts = countLabels(row.labels);
+  row.purity = purityOf(row.labels, scan.instance);
+  if (!row.measured.seeds.empty()) {
+    row.labels = labelsOfSeeds(row.labels, row.measured.seeds, scan.instance);
+    row.scores = scoreInstances(row.labels, scan.instance, scan.semantic);
+  }
+  return row;
+}
+
+ComparableParts
+comparableParts(const PeerScan& scan)
+{
+  const std::size_t instances = countLabels(scan.instance);
+  return {std::max<std::size_t>(instances / 2, 1), 5 * instances};
+}
+
+void
+compareWithCID(const PeerScan& scan,
+               const SeedSettings& settings,
+               std::vector<PeerRow>& rows)
+{
+  const ComparableParts comparable = comparableParts(scan);
+  std::set<std::size_t> parts;
+  for (const PeerRow& row : rows)
+    if (row.hasSeeds() || comparable.contains(row.parts))
+      parts.insert(row.parts);
+  const std::map<std::size_t, double> purity = purityOfCID(scan, settings, parts);
+  std::map<std::string, PeerRow*> best;
+  for (PeerRow& row : rows) {
+    if (row.hasSeeds() || comparable.contains(row.parts))
+      row.cid_purity = purity.at(row.parts);
+    if (row.hasSeeds() || !row.cid_purity)
+      continue;
+    PeerRow*& so_far = best[row.run.method];
+    if (so_far == nullptr || row.margin() > so_far->margin())
+      so_far = &row;
+  }
+  for (const auto& [method, row] : best)
+    row->is_best = true;
+}
+
+} // namespace pcl_cid::benchmarks

@@ -1,0 +1,95 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * PCL's supervoxels and locally convex patches, over a range of settings.
+ */
+
+#include "peer_method.h"
+
+#include <pcl/segmentation/lccp_segmentation.h>
+#include <pcl/segmentation/supervoxel_clustering.h>
+
+namespace pcl_cid::benchmarks {
+namespace {
+
+struct LCCPSettings {
+  float voxel;         ///< edge of a voxel, metres
+  float seed;          ///< edge of a supervoxel, metres
+  float angle;         ///< concavity tolerance, degrees
+  unsigned int least;  ///< supervoxels below which a part joins a neighbour
+  unsigned int common; ///< neighbours that must be convex, too ("extended convexity")
+};
+
+// What PCL's example of LCCP (examples/segmentation) begins with.
+constexpr float spatial_importance = 1.0f;
+constexpr float normal_importance = 4.0f;
+constexpr float smoothness = 0.1f;
+
+Measurement
+segment(const PeerScan& scan, const LCCPSettings& settings)
+{
+  // The normals are those that it estimates from its voxels.
+  pcl::SupervoxelClustering<pcl::PointXYZ> clustering(settings.voxel, settings.seed);
+  // Voxels that grow with the distance from the sensor, for images of a camera only.
+  clustering.setUseSingleCameraTransform(scan.is_organized);
+  clustering.setInputCloud(scan.cloud);
+  clustering.setColorImportance(0.0f);
+  clustering.setSpatialImportance(spatial_importance);
+  clustering.setNormalImportance(normal_importance);
+  std::map<std::uint32_t, pcl::Supervoxel<pcl::PointXYZ>::Ptr> supervoxels;
+  clustering.extract(supervoxels);
+  std::multimap<std::uint32_t, std::uint32_t> adjacency;
+  clustering.getSupervoxelAdjacency(adjacency);
+
+  pcl::LCCPSegmentation<pcl::PointXYZ> lccp;
+  lccp.setConcavityToleranceThreshold(settings.angle);
+  lccp.setSmoothnessCheck(true, settings.voxel, settings.seed, smoothness);
+  lccp.setKFactor(settings.common);
+  lccp.setMinSegmentSize(settings.least);
+  lccp.setInputSupervoxels(supervoxels, adjacency);
+  lccp.segment();
+  const pcl::PointCloud<pcl::PointXYZL>::Ptr labelled = clustering.getLabeledCloud();
+  lccp.relabelCloud(*labelled);
+
+  Measurement result;
+  for (const pcl::PointXYZL& point : *labelled)
+    result.labels.push_back(point.label);
+  labelTheRest(*scan.cloud, result.labels);
+  return result;
+}
+
+std::vector<Report::Parameter>
+describe(const LCCPSettings& settings)
+{
+  return {{"voxel_resolution", double(settings.voxel)},
+          {"seed_resolution", double(settings.seed)},
+          {"concavity_tolerance", double(settings.angle)},
+          {"min_segment_size", std::int64_t(settings.least)},
+          {"k_factor", std::int64_t(settings.common)}};
+}
+
+} // namespace
+
+std::vector<PeerRun>
+lccpRuns(const PeerScan& scan, double spacing)
+{
+  std::vector<PeerRun> runs;
+  for (const double voxel_spacings : {3.0, 5.0, 8.0})
+    for (const float seed_voxels : {4.0f, 8.0f})
+      for (const float angle : {5.0f, 10.0f, 20.0f})
+        for (const unsigned int least : {0u, 3u})
+          for (const unsigned int common : {0u, 1u}) {
+            const auto voxel = static_cast<float>(voxel_spacings * spacing);
+            const LCCPSettings settings{
+                voxel, seed_voxels * voxel, angle, least, common};
+            runs.push_back({"lccp", describe(settings), [=, &scan] {
+                              return segment(scan, settings);
+                            }});
+          }
+  return runs;
+}
+
+} // namespace pcl_cid::benchmarks

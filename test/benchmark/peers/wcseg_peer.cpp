@@ -1,0 +1,122 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * WCSeg-like segmentation of a scan, over a range of settings.
+ */
+
+#include "normals.h"
+#include "peer_method.h"
+#include "weak_convexity.h"
+
+#include <pcl_cid/core/working_set.h>
+
+#include <map>
+
+namespace pcl_cid::benchmarks {
+namespace {
+
+/** As many as the paper gives it. */
+constexpr std::size_t working_points = 20000;
+/** For normals, and for the graph: what Open3D takes when it is not told otherwise, and
+ *  what keeps a graph of a surface connected. */
+constexpr int normal_neighbours = 30;
+constexpr int graph_neighbours = 8;
+
+struct WCSegSettings {
+  Orientation orientation;
+  WeakConvexityOptions options;
+  float reach_spacings; ///< options.reach in point spacings of the working set
+};
+
+WorkingSet
+drawWorkingSet(const PeerScan& scan)
+{
+  RandomGenerator generator(0);
+  return WorkingSet(finitePoints(*scan.cloud), {}, {}, working_points, {}, generator);
+}
+
+Cloud::Ptr
+toCloud(const Points& points)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  for (const Eigen::Vector3f& p : points)
+    cloud->push_back(pcl::PointXYZ(p.x(), p.y(), p.z()));
+  return cloud;
+}
+
+std::vector<Eigen::Vector3f>
+normalsOf(const Cloud::ConstPtr& cloud)
+{
+  std::vector<Eigen::Vector3f> normals;
+  for (const pcl::Normal& normal : *estimateNormals(cloud, normal_neighbours))
+    normals.emplace_back(normal.getNormalVector3fMap());
+  return normals;
+}
+
+Measurement
+segment(const PeerScan& scan, const WCSegSettings& settings)
+{
+  const WorkingSet working = drawWorkingSet(scan);
+  const Cloud::Ptr cloud = toCloud(working.points());
+  const auto neighbours = nearestNeighbours(working.points(), graph_neighbours);
+  OrientedPoints surface{working.points(), normalsOf(cloud)};
+  // The working set is about an origin of its own, and so are its viewpoints.
+  const Eigen::Vector3f origin = finitePoints(*scan.cloud).origin.cast<float>();
+  std::vector<Eigen::Vector3f> viewpoints;
+  for (const Eigen::Vector3f& viewpoint : scan.viewpoints)
+    viewpoints.emplace_back(viewpoint - origin);
+  orientNormals(
+      surface.points, neighbours, viewpoints, settings.orientation, surface.normals);
+
+  WeakConvexityOptions options = settings.options;
+  options.reach = settings.reach_spacings * static_cast<float>(pointSpacing(*cloud));
+  SeedProposal proposal;
+  for (const int number :
+       findWeaklyConvexSegments(surface, working.field(), neighbours, options))
+    proposal.group.push_back(number);
+  Measurement result;
+  // A dropped segment is -1, and so its label is 0.
+  result.labels = labelsOfGroups(working.carryOn(proposal, scan.cloud->size()).group);
+  labelTheRest(*scan.cloud, result.labels);
+  return result;
+}
+
+std::vector<Report::Parameter>
+describe(const WCSegSettings& settings)
+{
+  static const std::map<Orientation, std::string> names = {
+      {Orientation::viewpoint, "viewpoint"},
+      {Orientation::centre, "centre"},
+      {Orientation::tree, "tree"}};
+  return {{"orientation", names.at(settings.orientation)},
+          {"coplanar", double(settings.options.coplanar)},
+          {"last_visibility", settings.options.last_visibility},
+          {"merge_by_thickness", settings.options.merge_by_thickness}};
+}
+
+} // namespace
+
+std::vector<PeerRun>
+wcsegRuns(const PeerScan& scan)
+{
+  std::vector<PeerRun> runs;
+  for (const Orientation orientation :
+       {Orientation::viewpoint, Orientation::centre, Orientation::tree})
+    for (const float coplanar : {0.01f, 0.1f, 0.2f})
+      for (const double last_visibility : {0.9, 0.8, 0.7})
+        for (const bool merge : {true, false}) {
+          WCSegSettings settings{orientation, {}, 2.0f};
+          settings.options.coplanar = coplanar;
+          settings.options.last_visibility = last_visibility;
+          settings.options.merge_by_thickness = merge;
+          runs.push_back({"wcseg", describe(settings), [=, &scan] {
+                            return segment(scan, settings);
+                          }});
+        }
+  return runs;
+}
+
+} // namespace pcl_cid::benchmarks
