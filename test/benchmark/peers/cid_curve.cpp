@@ -55,7 +55,7 @@ addCutPurities(const PeerScan& scan,
   for (const std::size_t n : parts)
     sum[n] += purityOf(labelsOfParts(abstraction.getProposal().group,
                                      abstraction.getMergeTree().cutAtParts(n)),
-                       scan.instance);
+                       scan);
 }
 
 /** Purities from K on: one traversal, which is extended from number to number. */
@@ -78,7 +78,7 @@ addSeedPurities(const PeerScan& scan,
     else {
       sampler.extend(static_cast<int>(n), seeds);
     }
-    sum[n] += purityOf(labelsOfGroups(sampler.getProposal().group), scan.instance);
+    sum[n] += purityOf(labelsOfGroups(sampler.getProposal().group), scan);
   }
 }
 

@@ -238,7 +238,7 @@ comparePeers(const Settings& settings)
   }
   compareWithCID(scan, settings, rows);
   std::cout << settings.scan << ": " << scan.cloud->size() << " points, "
-            << countLabels(scan.instance) << " instances\n\n"
+            << countLabels(scan.truth.label) << " instances\n\n"
             << toTable(rows) << '\n';
   printRemarks(scan, rows);
   writeResults(scan, settings, rows);

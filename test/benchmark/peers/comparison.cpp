@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <set>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -38,10 +39,14 @@ measureAndScore(const PeerScan& scan, PeerRun run)
   row.run = std::move(run);
   row.labels = std::move(row.measured.labels);
   row.parts = countLabels(row.labels);
-  row.purity = purityOf(row.labels, scan.instance);
+  row.labelled =
+      1.0 - static_cast<double>(std::count(row.labels.begin(), row.labels.end(), 0u)) /
+                static_cast<double>(row.labels.size());
+  labelTheRest(*scan.cloud, row.labels);
+  row.purity = purityOf(row.labels, scan);
   if (!row.measured.seeds.empty()) {
-    row.labels = labelsOfSeeds(row.labels, row.measured.seeds, scan.instance);
-    row.scores = scoreInstances(row.labels, scan.instance, scan.semantic);
+    row.labels = labelsOfSeeds(row.labels, row.measured.seeds, scan.truth.label);
+    row.scores = scoreLabels(row.labels, scan);
   }
   return row;
 }
@@ -49,7 +54,7 @@ measureAndScore(const PeerScan& scan, PeerRun run)
 ComparableParts
 comparableParts(const PeerScan& scan)
 {
-  const std::size_t instances = countLabels(scan.instance);
+  const std::size_t instances = countLabels(scan.truth.label);
   return {std::max<std::size_t>(instances / 2, 1), 5 * instances};
 }
 

@@ -23,11 +23,15 @@ struct PeerRow {
   PeerRun run;
   Measurement measured;
   std::size_t parts = 0;
+  /** Share of the points that the method gave a label. */
+  double labelled = 0.0;
+  /** Once the other points have the label of the nearest labelled one, see
+   *  labelTheRest(). */
   double purity = 0.0;
   /** Of CID with as many parts, see purityOfCID(); where it was asked for. */
   std::optional<double> cid_purity;
   /** Of methods with seeds. */
-  std::optional<InstanceScores> scores;
+  std::optional<Evaluation> scores;
   /** Labels for a file: of the seeds where there are any, else of the parts. */
   std::vector<std::uint32_t> labels;
   /** Of the runs of a method without seeds, the one that counts. */
@@ -47,7 +51,8 @@ struct PeerRow {
   }
 };
 
-/** \brief Run a method in a process of its own, and score what comes out. */
+/** \brief Run a method in a process of its own, and score what comes out. This process
+ *  stays without threads. */
 PeerRow
 measureAndScore(const PeerScan& scan, PeerRun run);
 

@@ -45,12 +45,13 @@ rowAsJson(const PeerRow& row)
   json["seconds"] = row.measured.seconds;
   json["peak_bytes"] = row.measured.peak_bytes;
   json["parts"] = row.parts;
+  json["labelled"] = row.labelled;
   json["purity"] = row.purity;
   json["cid_purity"] = row.cid_purity ? Json(*row.cid_purity) : Json();
   if (row.scores) {
-    json["ap25"] = row.scores->ap25;
-    json["ap50"] = row.scores->ap50;
-    json["ap75"] = row.scores->ap75;
+    json["ap25"] = row.scores->mean.ap25;
+    json["ap50"] = row.scores->mean.ap50;
+    json["ap75"] = row.scores->mean.ap75;
     json["mean_iou"] = row.scores->mean_iou;
   }
   else {
@@ -86,7 +87,7 @@ toJson(const PeerScan& scan,
   Json json = {{"version", PCL_CID_VERSION},
                {"input", scan.file.name},
                {"points", scan.cloud->size()},
-               {"instances", countLabels(scan.instance)},
+               {"instances", countLabels(scan.truth.label)},
                {"seeds", settings.seeds},
                {"random_seeds", settings.random_seeds},
                {"comparable_parts", {comparable.least, comparable.most}},
@@ -100,18 +101,22 @@ std::string
 toTable(const std::vector<PeerRow>& rows)
 {
   std::ostringstream table;
-  table << "| method | parts | purity | CID's purity at as many | AP25 | AP50 | AP75 | "
+  table << "| method | parts | labelled | purity | CID's purity at as many | AP25 | "
+           "AP50 | AP75 | "
            "mean IoU | s | peak MB | settings |\n"
-           "|---|---|---|---|---|---|---|---|---|---|---|\n";
+           "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const PeerRow& row : rows) {
     if (!row.hasSeeds() && !row.is_best)
       continue;
     table << "| " << row.run.method << " | " << row.parts;
+    addCell(row.labelled, table);
     addCell(row.purity, table);
     addCell(row.cid_purity.value_or(0.0), table);
     if (row.scores)
-      for (const double value :
-           {row.scores->ap25, row.scores->ap50, row.scores->ap75, row.scores->mean_iou})
+      for (const double value : {row.scores->mean.ap25,
+                                 row.scores->mean.ap50,
+                                 row.scores->mean.ap75,
+                                 row.scores->mean_iou})
         addCell(value, table);
     else
       table << " | | | |";

@@ -9,6 +9,8 @@
 
 #include "peer_method.h"
 
+#include <map>
+
 #include <pcl/segmentation/lccp_segmentation.h>
 #include <pcl/segmentation/supervoxel_clustering.h>
 
@@ -16,9 +18,9 @@ namespace pcl_cid::benchmarks {
 namespace {
 
 struct LCCPSettings {
-  float voxel;         ///< edge of a voxel, metres
-  float seed;          ///< edge of a supervoxel, metres
-  float angle;         ///< concavity tolerance, degrees
+  double voxel;        ///< edge of a voxel, metres
+  double seed;         ///< edge of a supervoxel, metres
+  double angle;        ///< concavity tolerance, degrees
   unsigned int least;  ///< supervoxels below which a part joins a neighbour
   unsigned int common; ///< neighbours that must be convex, too ("extended convexity")
 };
@@ -31,8 +33,10 @@ constexpr float smoothness = 0.1f;
 Measurement
 segment(const PeerScan& scan, const LCCPSettings& settings)
 {
+  const auto voxel = static_cast<float>(settings.voxel);
+  const auto seed = static_cast<float>(settings.seed);
   // The normals are those that it estimates from its voxels.
-  pcl::SupervoxelClustering<pcl::PointXYZ> clustering(settings.voxel, settings.seed);
+  pcl::SupervoxelClustering<pcl::PointXYZ> clustering(voxel, seed);
   // Voxels that grow with the distance from the sensor, for images of a camera only.
   clustering.setUseSingleCameraTransform(scan.is_organized);
   clustering.setInputCloud(scan.cloud);
@@ -45,8 +49,8 @@ segment(const PeerScan& scan, const LCCPSettings& settings)
   clustering.getSupervoxelAdjacency(adjacency);
 
   pcl::LCCPSegmentation<pcl::PointXYZ> lccp;
-  lccp.setConcavityToleranceThreshold(settings.angle);
-  lccp.setSmoothnessCheck(true, settings.voxel, settings.seed, smoothness);
+  lccp.setConcavityToleranceThreshold(static_cast<float>(settings.angle));
+  lccp.setSmoothnessCheck(true, voxel, seed, smoothness);
   lccp.setKFactor(settings.common);
   lccp.setMinSegmentSize(settings.least);
   lccp.setInputSupervoxels(supervoxels, adjacency);
@@ -54,19 +58,22 @@ segment(const PeerScan& scan, const LCCPSettings& settings)
   const pcl::PointCloud<pcl::PointXYZL>::Ptr labelled = clustering.getLabeledCloud();
   lccp.relabelCloud(*labelled);
 
+  // It numbers its parts in the order of addresses of memory; so by their first point.
+  std::map<std::uint32_t, std::uint32_t> number = {{0, 0}};
   Measurement result;
   for (const pcl::PointXYZL& point : *labelled)
-    result.labels.push_back(point.label);
-  labelTheRest(*scan.cloud, result.labels);
+    result.labels.push_back(
+        number.try_emplace(point.label, static_cast<std::uint32_t>(number.size()))
+            .first->second);
   return result;
 }
 
 std::vector<Report::Parameter>
 describe(const LCCPSettings& settings)
 {
-  return {{"voxel_resolution", double(settings.voxel)},
-          {"seed_resolution", double(settings.seed)},
-          {"concavity_tolerance", double(settings.angle)},
+  return {{"voxel_resolution", settings.voxel},
+          {"seed_resolution", settings.seed},
+          {"concavity_tolerance", settings.angle},
           {"min_segment_size", std::int64_t(settings.least)},
           {"k_factor", std::int64_t(settings.common)}};
 }
@@ -77,12 +84,12 @@ std::vector<PeerRun>
 lccpRuns(const PeerScan& scan, double spacing)
 {
   std::vector<PeerRun> runs;
-  for (const double voxel_spacings : {3.0, 5.0, 8.0})
-    for (const float seed_voxels : {4.0f, 8.0f})
-      for (const float angle : {5.0f, 10.0f, 20.0f})
+  for (const double voxel_spacings : {2.0, 3.0, 5.0})
+    for (const double seed_voxels : {4.0, 8.0})
+      for (const double angle : {5.0, 10.0, 20.0})
         for (const unsigned int least : {0u, 3u})
           for (const unsigned int common : {0u, 1u}) {
-            const auto voxel = static_cast<float>(voxel_spacings * spacing);
+            const double voxel = voxel_spacings * spacing;
             const LCCPSettings settings{
                 voxel, seed_voxels * voxel, angle, least, common};
             runs.push_back({"lccp", describe(settings), [=, &scan] {

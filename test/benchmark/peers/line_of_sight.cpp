@@ -11,17 +11,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_cid::benchmarks {
 
 bool
 LineOfSight::isFree(std::size_t first, std::size_t second) const
 {
-  const Eigen::Vector3f& from = surface_.points[first];
-  const Eigen::Vector3f& to = surface_.points[second];
+  const auto [low, high] = std::pair(std::minmax(first, second)); // the same both ways
+  const Eigen::Vector3f& from = surface_.points[low];
+  const Eigen::Vector3f& to = surface_.points[high];
   const Eigen::Vector3f way = (to - from).normalized();
-  const float rise_from = surface_.normals[first].dot(way);
-  const float rise_to = surface_.normals[second].dot(-way);
+  const float rise_from = surface_.normals[low].dot(way);
+  const float rise_to = surface_.normals[high].dot(-way);
   if (std::abs(rise_from) < coplanar_ && std::abs(rise_to) < coplanar_)
     return true;
   return rise_from <= 0.0f && rise_to <= 0.0f && !crossesSurface(from, to);

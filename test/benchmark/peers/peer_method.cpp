@@ -65,7 +65,9 @@ labelTheRest(const Cloud& cloud, std::vector<std::uint32_t>& labels)
     }
   if (labelled.empty() || labelled.size() == labels.size())
     return;
-  const DistanceField field(labelled);
+  DistanceField::Options options;
+  options.execution.threads = 1; // the next measurement forks this process
+  const DistanceField field(labelled, options);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] == 0)
       labels[i] =

@@ -55,14 +55,15 @@ readPeerScan(const std::string& path, const std::vector<Eigen::Vector3f>& viewpo
       scan.cloud->push_back((*points.points)[i]);
       scan.source.push_back(static_cast<pcl::index_t>(i));
     }
-  scan.instance = select(labelsOf(scan.file, "label", points), scan.source);
-  if (std::count(scan.instance.begin(), scan.instance.end(), 0u) ==
-      static_cast<std::ptrdiff_t>(scan.instance.size()))
+  scan.truth.label = select(labelsOf(scan.file, "label", points), scan.source);
+  const std::vector<std::uint32_t>& label = scan.truth.label;
+  if (std::count(label.begin(), label.end(), 0u) ==
+      static_cast<std::ptrdiff_t>(label.size()))
     throw CIDException(path + ": every label is 0, which means none; the true "
                               "instances are needed");
-  scan.semantic.assign(scan.cloud->size(), 1);
+  scan.truth.semantic.assign(scan.cloud->size(), 1);
   if (hasField(scan.file, "semantic"))
-    scan.semantic = select(labelsOf(scan.file, "semantic", points), scan.source);
+    scan.truth.semantic = select(labelsOf(scan.file, "semantic", points), scan.source);
   const Eigen::Vector3f offset = points.offset.cast<float>();
   for (const Eigen::Vector3f& v : viewpoints)
     scan.viewpoints.emplace_back(v - offset);

@@ -11,6 +11,7 @@
 
 #include "../benchmark_cloud.h"
 
+#include <pcl_cid/core/instance_overlaps.h>
 #include <pcl_cid/io/labelled_cloud.h>
 
 #include <cstdint>
@@ -29,11 +30,9 @@ struct PeerScan {
   Cloud::Ptr cloud;
   /** Index in the file of each point. */
   pcl::Indices source;
-  /** True instance of each point; 0 for none. */
-  std::vector<std::uint32_t> instance;
-  /** True class of each point; the same for all where the file has no field
+  /** True instance and class of each point; all of class 1 where the file has no field
    *  `semantic`. */
-  std::vector<std::uint32_t> semantic;
+  PointLabels truth;
   /** Where sensors stood, at least one. */
   std::vector<Eigen::Vector3f> viewpoints;
   /** Whether the file is an image of width x height from its one viewpoint. */

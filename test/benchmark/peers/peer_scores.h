@@ -9,6 +9,10 @@
 
 #pragma once
 
+#include "peer_scan.h"
+
+#include <pcl_cid/core/evaluation.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,38 +25,21 @@ namespace pcl_cid::benchmarks {
 std::size_t
 countLabels(const std::vector<std::uint32_t>& labels);
 
-/** \brief Purity: the sum over the groups of the size of the largest true instance in
- *  each, as a share of all points. Points without a true instance (0) do not count;
- *  those without a group (0) count as wrong. */
+/** \brief The purity of groups, from 1; 0 for none. See Evaluation::purity. */
 double
-purityOf(const std::vector<std::uint32_t>& group,
-         const std::vector<std::uint32_t>& instance);
+purityOf(const std::vector<std::uint32_t>& group, const PeerScan& scan);
 
 /** \brief Labels by an annotator who names the true instance that each seed lies on,
  *  carried to the points of its group.
- *  \param[in] group from 1, in the order of the seeds */
+ *  \param[in] group from 1, in the order of the seeds
+ *  \param[in] instance true instance of each point */
 std::vector<std::uint32_t>
 labelsOfSeeds(const std::vector<std::uint32_t>& group,
               const pcl::Indices& seeds,
               const std::vector<std::uint32_t>& instance);
 
-/** \brief How well instances are found, by the protocol of the paper (section V.A). */
-struct InstanceScores {
-  /** Mean over the classes, at IoU above 0.25, 0.5 and 0.75. */
-  double ap25 = 0.0;
-  double ap50 = 0.0;
-  double ap75 = 0.0;
-  /** Mean over the true instances; 0 for those that no seed lay on. */
-  double mean_iou = 0.0;
-};
-
-/** \brief Predicted instance i is all points with the label i, and is compared with the
- *  true instance i. All predictions are equally sure, so AP is R (1 + P) / 2 with
- * recall R and precision P of a class. \param[in] labels see labelsOfSeeds() \param[in]
- * instance,semantic truth; an instance has the class of its first point */
-InstanceScores
-scoreInstances(const std::vector<std::uint32_t>& labels,
-               const std::vector<std::uint32_t>& instance,
-               const std::vector<std::uint32_t>& semantic);
+/** \brief Score labels of seeds by the protocol of the paper. */
+Evaluation
+scoreLabels(const std::vector<std::uint32_t>& labels, const PeerScan& scan);
 
 } // namespace pcl_cid::benchmarks

@@ -20,8 +20,8 @@ namespace {
 
 struct GrowingSettings {
   int normal_neighbours;
-  float angle;     ///< between the normals of neighbours, degrees
-  float curvature; ///< of a point that the region goes on from
+  double angle;     ///< between the normals of neighbours, degrees
+  double curvature; ///< of a point that the region goes on from
 };
 
 // Those of PCL's tutorial on region growing.
@@ -37,8 +37,8 @@ segment(const PeerScan& scan, const GrowingSettings& settings)
   growing.setInputNormals(estimateNormals(scan.cloud, settings.normal_neighbours));
   growing.setNumberOfNeighbours(neighbours);
   growing.setMinClusterSize(least_points);
-  growing.setSmoothnessThreshold(settings.angle * static_cast<float>(M_PI) / 180.0f);
-  growing.setCurvatureThreshold(settings.curvature);
+  growing.setSmoothnessThreshold(static_cast<float>(settings.angle * M_PI / 180.0));
+  growing.setCurvatureThreshold(static_cast<float>(settings.curvature));
   std::vector<pcl::PointIndices> regions;
   growing.extract(regions);
 
@@ -47,7 +47,6 @@ segment(const PeerScan& scan, const GrowingSettings& settings)
   for (std::size_t k = 0; k < regions.size(); ++k)
     for (const pcl::index_t i : regions[k].indices)
       result.labels[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(k + 1);
-  labelTheRest(*scan.cloud, result.labels);
   return result;
 }
 
@@ -55,8 +54,8 @@ std::vector<Report::Parameter>
 describe(const GrowingSettings& settings)
 {
   return {{"normal_neighbours", std::int64_t(settings.normal_neighbours)},
-          {"smoothness", double(settings.angle)},
-          {"curvature", double(settings.curvature)}};
+          {"smoothness", settings.angle},
+          {"curvature", settings.curvature}};
 }
 
 } // namespace
@@ -66,8 +65,8 @@ regionGrowingRuns(const PeerScan& scan)
 {
   std::vector<PeerRun> runs;
   for (const int normal_neighbours : {30, 60})
-    for (const float angle : {2.0f, 4.0f, 8.0f, 15.0f})
-      for (const float curvature : {0.01f, 0.05f, 1.0f}) {
+    for (const double angle : {2.0, 4.0, 8.0, 15.0})
+      for (const double curvature : {0.01, 0.05, 1.0}) {
         const GrowingSettings settings{normal_neighbours, angle, curvature};
         runs.push_back({"region_growing", describe(settings), [=, &scan] {
                           return segment(scan, settings);

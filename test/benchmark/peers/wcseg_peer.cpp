@@ -28,7 +28,7 @@ constexpr int graph_neighbours = 8;
 struct WCSegSettings {
   Orientation orientation;
   WeakConvexityOptions options;
-  float reach_spacings; ///< options.reach in point spacings of the working set
+  double reach_spacings; ///< options.reach in point spacings of the working set
 };
 
 WorkingSet
@@ -50,8 +50,10 @@ toCloud(const Points& points)
 std::vector<Eigen::Vector3f>
 normalsOf(const Cloud::ConstPtr& cloud)
 {
+  const pcl::PointCloud<pcl::Normal>::Ptr estimated =
+      estimateNormals(cloud, normal_neighbours);
   std::vector<Eigen::Vector3f> normals;
-  for (const pcl::Normal& normal : *estimateNormals(cloud, normal_neighbours))
+  for (const pcl::Normal& normal : *estimated)
     normals.emplace_back(normal.getNormalVector3fMap());
   return normals;
 }
@@ -72,7 +74,7 @@ segment(const PeerScan& scan, const WCSegSettings& settings)
       surface.points, neighbours, viewpoints, settings.orientation, surface.normals);
 
   WeakConvexityOptions options = settings.options;
-  options.reach = settings.reach_spacings * static_cast<float>(pointSpacing(*cloud));
+  options.reach = settings.reach_spacings * pointSpacing(*cloud);
   SeedProposal proposal;
   for (const int number :
        findWeaklyConvexSegments(surface, working.field(), neighbours, options))
@@ -80,7 +82,6 @@ segment(const PeerScan& scan, const WCSegSettings& settings)
   Measurement result;
   // A dropped segment is -1, and so its label is 0.
   result.labels = labelsOfGroups(working.carryOn(proposal, scan.cloud->size()).group);
-  labelTheRest(*scan.cloud, result.labels);
   return result;
 }
 
@@ -92,8 +93,7 @@ describe(const WCSegSettings& settings)
       {Orientation::centre, "centre"},
       {Orientation::tree, "tree"}};
   return {{"orientation", names.at(settings.orientation)},
-          {"coplanar", double(settings.options.coplanar)},
-          {"last_visibility", settings.options.last_visibility},
+          {"coplanar", settings.options.coplanar},
           {"merge_by_thickness", settings.options.merge_by_thickness}};
 }
 
@@ -105,17 +105,15 @@ wcsegRuns(const PeerScan& scan)
   std::vector<PeerRun> runs;
   for (const Orientation orientation :
        {Orientation::viewpoint, Orientation::centre, Orientation::tree})
-    for (const float coplanar : {0.01f, 0.1f, 0.2f})
-      for (const double last_visibility : {0.9, 0.8, 0.7})
-        for (const bool merge : {true, false}) {
-          WCSegSettings settings{orientation, {}, 2.0f};
-          settings.options.coplanar = coplanar;
-          settings.options.last_visibility = last_visibility;
-          settings.options.merge_by_thickness = merge;
-          runs.push_back({"wcseg", describe(settings), [=, &scan] {
-                            return segment(scan, settings);
-                          }});
-        }
+    for (const double coplanar : {0.01, 0.1, 0.2})
+      for (const bool merge : {true, false}) {
+        WCSegSettings settings{orientation, {}, 2.0};
+        settings.options.coplanar = coplanar;
+        settings.options.merge_by_thickness = merge;
+        runs.push_back({"wcseg", describe(settings), [=, &scan] {
+                          return segment(scan, settings);
+                        }});
+      }
   return runs;
 }
 

@@ -283,7 +283,10 @@ findWeaklyConvexSegments(const OrientedPoints& surface,
                          const WeakConvexityOptions& options)
 {
   const Graph graph = weighByBend(surface, neighbours);
-  const LineOfSight sight(surface, field, options.coplanar, options.reach);
+  const LineOfSight sight(surface,
+                          field,
+                          static_cast<float>(options.coplanar),
+                          static_cast<float>(options.reach));
   std::vector<int> patch = cutIntoPatches(graph, options.patches);
   const Eigen::MatrixXf visible = mutualVisibility(sight, patch, options.sight_samples);
   Components components(std::move(patch), visible);

@@ -23,8 +23,8 @@ namespace pcl_cid::benchmarks {
 struct WeakConvexityOptions {
   std::size_t patches = 200;      ///< of the over-segmentation
   std::size_t sight_samples = 10; ///< points of a patch that look at other patches
-  float coplanar = 0.01f;         ///< see LineOfSight
-  float reach = 0.0f;             ///< see LineOfSight; above 0
+  double coplanar = 0.01;         ///< see LineOfSight
+  double reach = 0.0;             ///< see LineOfSight; above 0
   /** Components grow while this share of the lines between them is free: tried from
    *  `first_visibility` down to `last_visibility` in steps of `visibility_step`. */
   double first_visibility = 0.95;
