@@ -170,18 +170,44 @@ findSeams(const OrientedPoints& surface,
 
 /** Shape diameters of each component; none for flat ones, and for numbers that no
  *  component goes by. */
-std::vector<std::vector<double>>
-measureThickness(const OrientedPoints& surface, const Components& components)
-{
-  std::vector<std::vector<std::size_t>> members(components.size());
-  for (std::size_t i = 0; i < surface.size(); ++i)
-    members[static_cast<std::size_t>(components.ofPoint(i))].push_back(i);
-  std::vector<std::vector<double>> diameters;
-  for (const std::vector<std::size_t>& list : members)
-    diameters.push_back(list.empty() ? std::vector<double>()
-                                     : shapeDiameters(surface, list));
-  return diameters;
-}
+class Thickness {
+public:
+  explicit Thickness(const OrientedPoints& surface) : surface_(surface) {}
+
+  /** Measure the components that have grown since the last time. */
+  void
+  update(const Components& components)
+  {
+    std::vector<std::vector<std::size_t>> members(components.size());
+    for (std::size_t i = 0; i < surface_.size(); ++i)
+      members[static_cast<std::size_t>(components.ofPoint(i))].push_back(i);
+    measured_.resize(components.size(), 0);
+    diameters_.resize(components.size());
+    for (std::size_t k = 0; k < members.size(); ++k)
+      if (members[k].size() != measured_[k]) {
+        measured_[k] = members[k].size();
+        diameters_[k] = members[k].empty() ? std::vector<double>()
+                                           : shapeDiameters(surface_, members[k]);
+      }
+  }
+
+  bool
+  isFlat(int component) const
+  {
+    return diameters_[static_cast<std::size_t>(component)].empty();
+  }
+
+  const std::vector<std::vector<double>>&
+  diameters() const
+  {
+    return diameters_;
+  }
+
+private:
+  const OrientedPoints& surface_;
+  std::vector<std::size_t> measured_; ///< points of each component at that time
+  std::vector<std::vector<double>> diameters_;
+};
 
 /** The seam to the neighbour that a flat component should join; null when there is
  *  none. First those without a concave edge, the one with most convex edges; else the
@@ -223,16 +249,13 @@ mergeByThickness(const OrientedPoints& surface,
                  const WeakConvexityOptions& options,
                  Components& components)
 {
+  Thickness thickness(surface);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     const std::vector<Seam> seams = findSeams(surface, graph, components);
-    const std::vector<std::vector<double>> thickness =
-        measureThickness(surface, components);
-    const Eigen::MatrixXd unlike = histogramDistances(thickness);
+    thickness.update(components);
+    const Eigen::MatrixXd unlike = histogramDistances(thickness.diameters());
     const double most_unlike = options.unlike_share * unlike.maxCoeff();
-    const auto is_flat = [&](int component) {
-      return thickness[static_cast<std::size_t>(component)].empty();
-    };
     const auto join = [&](const Seam& seam) {
       const int first = components.of(seam.first);
       const int second = components.of(seam.second);
@@ -240,7 +263,7 @@ mergeByThickness(const OrientedPoints& surface,
       components.join(first, second);
     };
     for (const Seam& seam : seams)
-      if (!is_flat(seam.first) && !is_flat(seam.second) &&
+      if (!thickness.isFlat(seam.first) && !thickness.isFlat(seam.second) &&
           static_cast<double>(seam.concave) <
               options.concave_share * static_cast<double>(seam.convex) &&
           unlike(seam.first, seam.second) <= most_unlike)
@@ -248,7 +271,7 @@ mergeByThickness(const OrientedPoints& surface,
     std::set<int> flats;
     for (const Seam& seam : seams)
       for (const int end : {seam.first, seam.second})
-        if (is_flat(end))
+        if (thickness.isFlat(end))
           flats.insert(end);
     for (const int flat : flats)
       if (const Seam* seam = bestSeam(flat, seams, options, components))
