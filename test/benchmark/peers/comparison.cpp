@@ -42,6 +42,7 @@ measureAndScore(const PeerScan& scan, PeerRun run)
   row.labelled =
       1.0 - static_cast<double>(std::count(row.labels.begin(), row.labels.end(), 0u)) /
                 static_cast<double>(row.labels.size());
+  row.own_purity = purityOf(row.labels, scan);
   labelTheRest(*scan.cloud, row.labels);
   row.purity = purityOf(row.labels, scan);
   if (!row.measured.seeds.empty()) {

@@ -25,6 +25,8 @@ struct PeerRow {
   std::size_t parts = 0;
   /** Share of the points that the method gave a label. */
   double labelled = 0.0;
+  /** With the other points counted as wrong. */
+  double own_purity = 0.0;
   /** Once the other points have the label of the nearest labelled one, see
    *  labelTheRest(). */
   double purity = 0.0;

@@ -46,6 +46,7 @@ rowAsJson(const PeerRow& row)
   json["peak_bytes"] = row.measured.peak_bytes;
   json["parts"] = row.parts;
   json["labelled"] = row.labelled;
+  json["own_purity"] = row.own_purity;
   json["purity"] = row.purity;
   json["cid_purity"] = row.cid_purity ? Json(*row.cid_purity) : Json();
   if (row.scores) {
@@ -101,15 +102,17 @@ std::string
 toTable(const std::vector<PeerRow>& rows)
 {
   std::ostringstream table;
-  table << "| method | parts | labelled | purity | CID's purity at as many | AP25 | "
+  table << "| method | parts | labelled | own purity | purity | CID's purity at as "
+           "many | AP25 | "
            "AP50 | AP75 | "
            "mean IoU | s | peak MB | settings |\n"
-           "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+           "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const PeerRow& row : rows) {
     if (!row.hasSeeds() && !row.is_best)
       continue;
     table << "| " << row.run.method << " | " << row.parts;
     addCell(row.labelled, table);
+    addCell(row.own_purity, table);
     addCell(row.purity, table);
     addCell(row.cid_purity.value_or(0.0), table);
     if (row.scores)

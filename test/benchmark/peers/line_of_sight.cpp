@@ -63,6 +63,7 @@ LineOfSight::crossesSurface(const Eigen::Vector3f& from,
 Eigen::MatrixXf
 mutualVisibility(const LineOfSight& sight,
                  const std::vector<int>& patch,
+                 const std::vector<int>& piece,
                  std::size_t samples)
 {
   const auto patches =
@@ -81,6 +82,8 @@ mutualVisibility(const LineOfSight& sight,
   Eigen::MatrixXf visible = Eigen::MatrixXf::Identity(size, size);
   for (std::size_t a = 0; a < patches; ++a)
     for (std::size_t b = a + 1; b < patches; ++b) {
+      if (piece[members[a].front()] != piece[members[b].front()])
+        continue;
       std::size_t seen = 0;
       for (const std::size_t i : members[a])
         for (const std::size_t j : members[b])

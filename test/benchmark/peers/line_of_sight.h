@@ -60,12 +60,15 @@ private:
 };
 
 /** \brief The share of pairs, one point from each of two patches, that see each other;
- *  symmetric, 1 for a patch and itself.
+ *  symmetric, 1 for a patch and itself. 0 for patches of different pieces: they can
+ *  never be joined, and their lines are many.
  *  \param[in] patch number of the patch of each point, from 0 without gaps
+ *  \param[in] piece number of the connected piece of the surface that each point is of
  *  \param[in] samples points taken from each patch, spread evenly over its list */
 Eigen::MatrixXf
 mutualVisibility(const LineOfSight& sight,
                  const std::vector<int>& patch,
+                 const std::vector<int>& piece,
                  std::size_t samples);
 
 } // namespace pcl_cid::benchmarks

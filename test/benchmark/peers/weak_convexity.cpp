@@ -311,7 +311,8 @@ findWeaklyConvexSegments(const OrientedPoints& surface,
                           static_cast<float>(options.coplanar),
                           static_cast<float>(options.reach));
   std::vector<int> patch = cutIntoPatches(graph, options.patches);
-  const Eigen::MatrixXf visible = mutualVisibility(sight, patch, options.sight_samples);
+  const Eigen::MatrixXf visible =
+      mutualVisibility(sight, patch, cutIntoPatches(graph, 1), options.sight_samples);
   Components components(std::move(patch), visible);
   growComponents(graph, options, components);
   if (options.merge_by_thickness)

@@ -219,7 +219,8 @@ TEST(LineOfSight, VisibilityOfPatchesIsTheShareOfTheirPairs)
     patch.push_back(static_cast<int>(i / size));
   const DistanceField field(surface.points);
   const LineOfSight sight(surface, field, 0.01f, 2 * step);
-  const Eigen::MatrixXf visible = mutualVisibility(sight, patch, size);
+  const std::vector<int> one_piece(surface.size(), 0);
+  const Eigen::MatrixXf visible = mutualVisibility(sight, patch, one_piece, size);
   Eigen::MatrixXf seen = Eigen::MatrixXf::Zero(visible.rows(), visible.cols());
   Eigen::MatrixXf pairs = seen;
   for (std::size_t i = 0; i < surface.size(); ++i)
@@ -231,6 +232,8 @@ TEST(LineOfSight, VisibilityOfPatchesIsTheShareOfTheirPairs)
   pairs.diagonal().setOnes();
   seen.diagonal().setOnes(); // by definition
   EXPECT_TRUE(visible.isApprox(seen.cwiseQuotient(pairs)));
+  // Each patch a piece of its own.
+  EXPECT_TRUE(mutualVisibility(sight, patch, patch, size).isIdentity());
 }
 
 TEST(ShapeDiameter, IsTheThicknessOfASlab)
