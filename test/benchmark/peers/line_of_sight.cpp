@@ -55,7 +55,7 @@ LineOfSight::crossesSurface(const Eigen::Vector3f& from,
     if (away < reach_ &&
         separates(static_cast<std::size_t>(field_.nearest(here)), here, from, to))
       return true;
-    walked += std::max(away - reach_, 0.5f * reach_);
+    walked += std::max(away - reach_, reach_);
   }
   return false;
 }
