@@ -30,6 +30,20 @@ constexpr float spatial_importance = 1.0f;
 constexpr float normal_importance = 4.0f;
 constexpr float smoothness = 0.1f;
 
+/** Supervoxels turn their normals to the origin: the middle of the viewpoints is to be
+ *  there. */
+Cloud::Ptr
+aboutViewpoints(const PeerScan& scan)
+{
+  Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& viewpoint : scan.viewpoints)
+    middle += viewpoint / static_cast<float>(scan.viewpoints.size());
+  auto moved = pcl::make_shared<Cloud>(*scan.cloud);
+  for (pcl::PointXYZ& point : *moved)
+    point.getVector3fMap() -= middle;
+  return moved;
+}
+
 Measurement
 segment(const PeerScan& scan, const LCCPSettings& settings)
 {
@@ -39,7 +53,7 @@ segment(const PeerScan& scan, const LCCPSettings& settings)
   pcl::SupervoxelClustering<pcl::PointXYZ> clustering(voxel, seed);
   // Voxels that grow with the distance from the sensor, for images of a camera only.
   clustering.setUseSingleCameraTransform(scan.is_organized);
-  clustering.setInputCloud(scan.cloud);
+  clustering.setInputCloud(aboutViewpoints(scan));
   clustering.setColorImportance(0.0f);
   clustering.setSpatialImportance(spatial_importance);
   clustering.setNormalImportance(normal_importance);
