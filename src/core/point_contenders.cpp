@@ -19,7 +19,7 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** More contenders than this are many. */
-constexpr std::size_t few_contenders = 8;
+constexpr std::size_t few_contenders = 16;
 
 } // namespace
 
@@ -72,9 +72,9 @@ BlockGroups::fallsShort(const Eigen::Vector3f& point,
 /** Compare a point with all seeds that it was not compared with, best first. Of a few,
  *  whoever has the smallest lower bound is compared with the second smallest, which
  *  shows that its CID is the smallest of all, or raises its bound. Of many, that would
- *  raise bounds by little: when CIDs are wanted anyway, they are compared with the
- *  smallest so far.
- *  \param[in] keep_cid else the winner's CID is left at a lower bound */
+ *  raise bounds by little, again and again: they are compared with the smallest CID so
+ *  far.
+ *  \param[in] keep_cid else the winner's CID may be left at a lower bound */
 void
 BlockGroups::decide(const Eigen::Vector3f& point,
                     bool keep_cid,
@@ -84,7 +84,7 @@ BlockGroups::decide(const Eigen::Vector3f& point,
   for (Contender& contender : open)
     if (!contender.settled)
       contender.low = std::max(contender.low, boundAtHint(contender, point));
-  const bool few = open.size() <= few_contenders || !keep_cid;
+  const bool few = open.size() <= few_contenders;
   for (;;) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
     Contender& first = open.front();
@@ -95,7 +95,7 @@ BlockGroups::decide(const Eigen::Vector3f& point,
       return;
     }
     const float limit = limitFor(first, open, few);
-    const float cid = compare(first, point, limit, keep_cid);
+    const float cid = compare(first, point, limit, keep_cid || !few);
     first.settled = cid < limit;
     first.low = std::max(first.low, cid);
   }
