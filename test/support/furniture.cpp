@@ -203,6 +203,19 @@ makeBoard(RandomGenerator& generator)
 }
 
 Piece
+makePicture(RandomGenerator& generator)
+{
+  const double half_width = drawWithin(generator, {0.20, 0.50});
+  const double bottom = drawWithin(generator, {1.20, 1.45});
+  const double top = bottom + drawWithin(generator, {0.30, 0.60});
+  const double thickness = drawWithin(generator, {0.02, 0.05});
+  Piece picture;
+  picture.primitives.push_back(
+      makeBox(-half_width, half_width, 0.0, thickness, bottom, top));
+  return picture;
+}
+
+Piece
 makeClutter(RandomGenerator& generator)
 {
   switch (drawBelow(generator, 5)) {

@@ -57,6 +57,10 @@ makeBookcase(RandomGenerator& generator);
 Piece
 makeBoard(RandomGenerator& generator);
 
+/** \brief A framed picture, hung on the wall y = 0. */
+Piece
+makePicture(RandomGenerator& generator);
+
 /** \brief A thing to stand about, centred on the origin: box, can or screen. */
 Piece
 makeClutter(RandomGenerator& generator);

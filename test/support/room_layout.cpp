@@ -91,6 +91,7 @@ public:
         placeBeams() && repeat(options_.columns, [&] { return placeColumn(); }) &&
         repeat(options_.bookcases, [&] { return placeBookcase(); }) &&
         repeat(options_.boards, [&] { return placeBoard(); }) &&
+        repeat(options_.pictures, [&] { return placePicture(); }) &&
         repeat(options_.sofas, [&] { return placeSofa(); }) &&
         repeat(options_.tables, [&] { return placeTable(); }) &&
         repeat(options_.chairs, [&] { return placeChair(); }) &&
@@ -133,7 +134,8 @@ private:
     const double x = drawWithin(generator_, {0.0, size_.x()});
     const double y = drawWithin(generator_, {0.0, size_.y()});
     const Eigen::Vector2d quarter = drawQuarterTurn(generator_);
-    return composed({{x, y}, quarter}, {{0.0, 0.0}, drawTurn(generator_, 0.15)});
+    return composed({{x, y}, quarter},
+                    {{0.0, 0.0}, drawTurn(generator_, options_.turn)});
   }
 
   /// A hole of \a width in some wall.
@@ -261,6 +263,12 @@ private:
   placeBoard()
   {
     return placeOnWall(makeBoard(generator_), RoomClass::board, 0.0);
+  }
+
+  bool
+  placePicture()
+  {
+    return placeOnWall(makePicture(generator_), RoomClass::clutter, 0.0);
   }
 
   /// At a wall; a low sofa may stand below a window or board.

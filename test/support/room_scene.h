@@ -25,12 +25,16 @@ struct RoomOptions {
   Range width{5.5, 6.5};
   Range depth{4.5, 5.5};
   Range height{2.6, 3.0};
+  /// How far furniture is turned from the walls: tangent of half the greatest angle.
+  double turn = 0.15;
   unsigned doors = 1;
   unsigned windows = 2;
   unsigned beams = 1;
   unsigned columns = 1;
   unsigned bookcases = 2;
   unsigned boards = 1;
+  /// Panels on walls; clutter, as in S3DIS.
+  unsigned pictures = 0;
   unsigned sofas = 1;
   unsigned tables = 4;
   unsigned chairs = 9;

@@ -9,8 +9,6 @@
 
 #include "sample_scan.h"
 
-#include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -22,20 +20,12 @@
 #include <pcl_cid/exceptions.h>
 
 #include "depth_sensor.h"
+#include "scan_cloud.h"
 
 namespace pcl_cid::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// One point of room.pcd, as it lies in the file.
-struct FilePoint {
-  float x;
-  float y;
-  float z;
-  std::uint32_t label;
-  std::uint32_t semantic;
-};
 
 RoomOptions
 sampleRoomOptions()
@@ -53,41 +43,6 @@ sampleSensorOptions()
   options.points = 140000;
   options.positions = 4;
   return options;
-}
-
-pcl::PCLPointField
-makeField(const std::string& name, std::uint32_t offset, std::uint8_t datatype)
-{
-  pcl::PCLPointField field;
-  field.name = name;
-  field.offset = offset;
-  field.datatype = datatype;
-  field.count = 1;
-  return field;
-}
-
-pcl::PCLPointCloud2
-makeCloud(const LabelledScan& scan)
-{
-  using Field = pcl::PCLPointField;
-  pcl::PCLPointCloud2 cloud;
-  cloud.fields = {makeField("x", offsetof(FilePoint, x), Field::FLOAT32),
-                  makeField("y", offsetof(FilePoint, y), Field::FLOAT32),
-                  makeField("z", offsetof(FilePoint, z), Field::FLOAT32),
-                  makeField("label", offsetof(FilePoint, label), Field::UINT32),
-                  makeField("semantic", offsetof(FilePoint, semantic), Field::UINT32)};
-  cloud.height = 1;
-  cloud.width = static_cast<std::uint32_t>(scan.points.size());
-  cloud.point_step = sizeof(FilePoint);
-  cloud.row_step = cloud.point_step * cloud.width;
-  cloud.is_dense = 1;
-  cloud.data.resize(cloud.row_step);
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    const Eigen::Vector3f& p = scan.points[i];
-    const FilePoint point{p.x(), p.y(), p.z(), scan.instance[i], scan.semantic[i]};
-    std::memcpy(&cloud.data[i * sizeof(FilePoint)], &point, sizeof(FilePoint));
-  }
-  return cloud;
 }
 
 Json
@@ -189,7 +144,7 @@ writeSampleScan(const std::string& folder)
 {
   const RoomScene scene = makeRoom(sampleRoomOptions());
   const LabelledScan scan = scanRoom(scene, sampleSensorOptions());
-  writeFile(folder + "/room.pcd", compress(makeCloud(scan)));
+  writeFile(folder + "/room.pcd", compress(cloudOf(scan)));
   writeFile(folder + "/room_truth.json", describe(scene, scan).dump(2) + "\n");
 }
 
