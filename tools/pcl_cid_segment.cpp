@@ -7,6 +7,7 @@
  * pcl_cid_segment: labels of a few seeds, or groups, for all points of a scan.
  */
 
+#include "heat_map.h"
 #include "scannet_outputs.h"
 #include "tool_run.h"
 
@@ -29,6 +30,7 @@ struct SegmentSettings : Settings {
   std::string labels_from;
   std::string propose;
   ScannetSettings scannet;
+  std::optional<int> cid_from;
 };
 
 bool
@@ -56,6 +58,7 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
             settings.labels_from,
             "propose seeds and read their labels from this field of INPUT; prints how "
             "many points then have the label that the field says");
+  declareHeatMapOption(settings.cid_from, line);
   declareScannetOptions(settings.scannet, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);
@@ -188,7 +191,11 @@ main(int argc, char** argv)
 {
   return runTool(tool, [&] {
     SegmentSettings settings;
-    if (readCommandLine(argc, argv, settings))
+    if (!readCommandLine(argc, argv, settings))
+      return;
+    if (settings.cid_from)
+      writeHeatMap(tool, settings, *settings.cid_from);
+    else
       segment(settings);
   });
 }

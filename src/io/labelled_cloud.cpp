@@ -8,6 +8,7 @@
  */
 
 #include "../core/validation.h"
+#include "field_exchange.h"
 #include "field_values.h"
 #include "pcd_format.h"
 #include "ply_format.h"
@@ -299,42 +300,13 @@ setLabels(const std::vector<std::uint32_t>& labels,
           LabelledCloud& cloud,
           const std::string& name)
 {
-  if (labels.size() != cloud.size())
-    throw CIDException(sentence(cloud.name,
-                                ": there are ",
-                                labels.size(),
-                                " labels; there must be one for each of the ",
-                                cloud.size(),
-                                " points"));
+  requireOneEach(labels.size(), "labels", cloud);
   requireLabelsFit(labels, type);
-  const pcl::PCLPointCloud2& from = cloud.fields;
-  pcl::PCLPointCloud2 to = from;
-  to.fields.clear();
-  to.point_step = 0;
-  for (const pcl::PCLPointField& field : from.fields)
-    if (field.name == name)
-      addField(name, datatypeOf(type), 1, to);
-    else
-      addField(field.name, field.datatype, field.count, to);
-  if (!findField(from, name))
-    addField(name, datatypeOf(type), 1, to);
-  to.row_step = to.point_step * to.width;
-  to.data.assign(static_cast<std::size_t>(to.point_step) * labels.size(), 0);
-
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const std::uint8_t* const source = from.data.data() + i * from.point_step;
-    std::uint8_t* const target = to.data.data() + i * to.point_step;
-    for (std::size_t f = 0; f < to.fields.size(); ++f) {
-      const pcl::PCLPointField& field = to.fields[f];
-      if (field.name == name)
-        storeLabel(labels[i], type, target + field.offset);
-      else
-        std::memcpy(target + field.offset,
-                    source + from.fields[f].offset,
-                    field.count * sizeOf(field.datatype));
-    }
-  }
-  cloud.fields = std::move(to);
+  exchangeField(
+      name,
+      datatypeOf(type),
+      [&](std::size_t i, std::uint8_t* bytes) { storeLabel(labels[i], type, bytes); },
+      cloud);
 }
 
 CloudFormat
