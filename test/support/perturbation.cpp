@@ -68,8 +68,11 @@ perturbed(const pcl::PCLPointCloud2& cloud, const Perturbation& perturbation)
   for (std::size_t i = 0; i < count; ++i) {
     std::uint8_t* const point = &result.data[kept * cloud.point_step];
     std::copy_n(&cloud.data[i * cloud.point_step], cloud.point_step, point);
-    for (const Field& coordinate : coordinates)
-      move(point, coordinate, perturbation.noise * drawNormal(generator));
+    for (const Field& coordinate : coordinates) {
+      const double shift = perturbation.noise * drawNormal(generator);
+      if (shift != 0.0) // or the bits of -0 and NaN would change
+        move(point, coordinate, shift);
+    }
     if (drawUnit(generator) < perturbation.keep)
       ++kept;
   }
