@@ -11,8 +11,10 @@
 
 #include "block_tree.h"
 #include "parallel_for.h"
-#include "segment_samples.h"
+#include "segment_search.h"
 #include "validation.h"
+
+#include <limits>
 
 namespace pcl_cid {
 namespace {
