@@ -4,8 +4,8 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# What demo.sh, check.sh and benchmark.sh share; sourced by them, from the project's
-# folder.
+# What demo.sh, check.sh, benchmark.sh and experiments.sh share; sourced by them, from the
+# project's folder.
 
 # step TEXT: a headline.
 step() {

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# pcl_cid: Concavity-Induced Distance for point clouds
+# Copyright (c) 2026, pcl_cid contributors
+#
+# Running the programs, and what a scan is put through.
+
+import json
+import subprocess
+import threading
+
+
+class ProgramError(Exception):
+    """A program that failed; the text says what it complained about."""
+
+
+class Programs:
+    """The programs in a folder, each with so many threads."""
+
+    def __init__(self, folder, threads):
+        self.folder = folder
+        self.threads = threads
+        self.running = set()
+        self.stopped = False
+        self.lock = threading.Lock()
+
+    def run(self, program, *arguments):
+        """Run it to its end; gives what it printed."""
+        command = [str(self.folder / program), *map(str, arguments)]
+        with self.lock:
+            if self.stopped:
+                raise ProgramError("stopped")
+            process = subprocess.Popen(command, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, text=True, errors="replace")
+            self.running.add(process)
+        try:
+            output, errors = process.communicate()
+        finally:
+            with self.lock:
+                self.running.discard(process)
+        if process.returncode != 0:
+            complaint = errors.strip() or f"ended with {process.returncode}"
+            raise ProgramError(complaint.splitlines()[-1])
+        return output
+
+    def stop(self):
+        """End those that run, and start no more."""
+        with self.lock:
+            self.stopped = True
+            for process in self.running:
+                process.terminate()
+
+    def version(self):
+        return self.run("pcl_cid_segment", "--version").strip()
+
+    def segment(self, *arguments):
+        self.run("pcl_cid_segment", *arguments, "--threads", self.threads, "--quiet")
+
+    def abstract(self, *arguments):
+        self.run("pcl_cid_abstract", *arguments, "--threads", self.threads, "--quiet")
+
+
+def read_json(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def perturbed(scan, settings, programs, folder):
+    """A PCD file of a scan, with noise and fewer points where the settings say so."""
+    copy = folder / "scan.pcd"
+    programs.run("cid_perturb", scan.path, copy, "--noise", settings.get("noise", 0),
+                 "--keep", settings.get("keep", 1), "--random-seed", settings["start"])
+    return copy
+
+
+def propagate(item, programs, folder):
+    """Section V.A of the paper: seeds with their true labels, carried to all points; scored."""
+    settings = item.settings
+    truth = item.scan.path
+    if "noise" in settings or "keep" in settings:
+        truth = perturbed(item.scan, settings, programs, folder)
+    prediction = folder / "prediction.pcd"
+    programs.segment(truth, prediction, "--labels-from", "label",
+                     "--seeds", settings["seeds"], "--subsample", settings["subsample"],
+                     "--random-seed", settings["start"], "--report", folder / "segment.json")
+    programs.run("pcl_cid_evaluate", prediction, truth, "--protocol", "paper", "--quiet",
+                 *item.scan.class_options(), "--report", folder / "scores.json")
+    scores = read_json(folder / "scores.json")
+    seconds = read_json(folder / "segment.json")["seconds"]["segment"]
+    figures = ("points", "labelled_points", "truth_instances", "groups", "purity", "mean_iou")
+    return {
+        "seconds": seconds,
+        "classes_from": scores["classes_from"],
+        "classes": {each["name"]: counts(each) for each in scores["classes"]},
+        **{name: scores[name] for name in figures},
+    }
+
+
+def counts(scored):
+    """Numbers of a class, which, unlike its AP, can be summed over scans. In the paper's
+    protocol each prediction is compared with one truth instance, hence either right or wrong."""
+    truths = scored["truth_instances"]
+    return {
+        "truths": truths,
+        "predictions": scored["predictions"],
+        **{f"right{t}": round((scored[f"recall{t}"] or 0) * truths) for t in (25, 50, 75)},
+    }

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# pcl_cid: Concavity-Induced Distance for point clouds
+# Copyright (c) 2026, pcl_cid contributors
+#
+# The scans of a dataset: room folders of S3DIS, scan folders of ScanNet, PCD and PLY files.
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Scan:
+    """A scan, named by its place in the dataset."""
+
+    name: str
+    path: Path
+    is_scannet: bool = False
+
+    def class_options(self):
+        """What pcl_cid_evaluate has to know about its classes."""
+        return ["--classes", "scannet"] if self.is_scannet else []
+
+    def fingerprint(self):
+        """Bytes and time of the newest change: another one is another scan."""
+        files = [self.path]
+        if self.path.is_dir():
+            files = [file for file in self.path.rglob("*") if file.is_file()]
+        stats = [file.stat() for file in files]
+        return [sum(each.st_size for each in stats), max(each.st_mtime_ns for each in stats)]
+
+
+def natural(text):
+    """office_2 before office_10."""
+    return [(int(part), "") if part.isdigit() else (-1, part)
+            for part in re.split(r"(\d+)", text)]
+
+
+def scan_at(path, name):
+    """The scan that a path is, or None."""
+    if path.is_dir():
+        if any(path.glob("*_vh_clean_2.ply")):
+            return Scan(name, path, is_scannet=True)
+        return Scan(name, path) if (path / "Annotations").is_dir() else None
+    return Scan(name, path) if path.suffix.lower() in (".pcd", ".ply") else None
+
+
+def find_scans(dataset, passed_over):
+    """All scans in a folder and those in it, in natural order, but not in `passed_over`."""
+    found = []
+    folders = [dataset]
+    while folders:
+        for path in folders.pop().iterdir():
+            if path.name.startswith(".") or path.resolve() == passed_over.resolve():
+                continue
+            scan = scan_at(path, path.relative_to(dataset).as_posix())
+            if scan:
+                found.append(scan)
+            elif path.is_dir():
+                folders.append(path)
+    return sorted(found, key=lambda scan: natural(scan.name))
+
+
+def scans_of(dataset, passed_over):
+    """Those of a dataset's folder, which may also be a single scan."""
+    single = scan_at(dataset, dataset.resolve().name)
+    return [single] if single else find_scans(dataset, passed_over)
+
+
+def spread(scans, count):
+    """So many of them, evenly over the whole list."""
+    if not count or count >= len(scans):
+        return scans
+    return [scans[i * len(scans) // count] for i in range(count)]

@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# pcl_cid: Concavity-Induced Distance for point clouds
+# Copyright (c) 2026, pcl_cid contributors
+#
+# The experiments on rooms in the layouts of S3DIS and ScanNet: their scores against those of
+# pcl_cid_evaluate, a run that is killed, a scan that fails.
+#
+#   experiments_test.py PROGRAMS_FOLDER
+
+import csv
+import json
+import math
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts" / "experiments"
+sys.path.insert(0, str(SCRIPTS))
+sys.dont_write_bytecode = True
+
+import scores  # noqa: E402
+from purity import contingency, purities  # noqa: E402
+from scans import Scan, natural, scans_of, spread  # noqa: E402
+
+import numpy as np  # noqa: E402
+
+PROGRAMS = Path(sys.argv.pop()).resolve()
+SEEDS = 20
+
+
+def command(*arguments):
+    return [sys.executable, str(SCRIPTS / "main.py"), "--programs", str(PROGRAMS),
+            "--seeds", str(SEEDS), "--starts", "2", *map(str, arguments)]
+
+
+def experiment(*arguments):
+    return subprocess.run(command(*arguments), capture_output=True, text=True, timeout=300)
+
+
+def tool(name, *arguments):
+    subprocess.run([PROGRAMS / name, *map(str, arguments), "--quiet"], check=True)
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def stamps(folder):
+    """When each result was written."""
+    return {path: path.stat().st_mtime_ns for path in folder.rglob("results/**/*.json")}
+
+
+class ByHand(unittest.TestCase):
+    def test_average_precision(self):
+        # doc/core/evaluation.md: 6 right, 2 wrong, 4 missing.
+        counted = {"truths": 10, "predictions": 8, "right50": 6}
+        self.assertAlmostEqual(scores.average_precision(counted, 50), 0.525)
+        self.assertIsNone(scores.average_precision({"truths": 0, "predictions": 0}, 50))
+        self.assertEqual(scores.average_precision({"truths": 3, "predictions": 0}, 50), 0)
+
+    def test_pooling_sums_counts(self):
+        def scan(truths, predictions, right):
+            return {"classes": {"chair": {"truths": truths, "predictions": predictions,
+                                          **{f"right{t}": right for t in (25, 50, 75)}}}}
+        # 3 of 4 found, all 3 predictions right: not the mean of the two scans' APs.
+        self.assertEqual(scores.pooled([scan(1, 1, 1), scan(3, 2, 2)])["mean"], (0.75,) * 3)
+
+    def test_purity_of_merges(self):
+        table = contingency(np.array([1, 1, 2, 2, 3]), np.array([7, 7, 7, 9, 9]))
+        self.assertEqual(table.tolist(), [[2, 0], [1, 1], [0, 1]])
+        steps = [{"first": 1, "second": 2}, {"first": 0, "second": 1}]
+        self.assertEqual(purities(table, steps), [0.8, 0.8, 0.6])
+
+    def test_spread_over_the_list(self):
+        scans = [Scan(str(i), Path(str(i))) for i in range(10)]
+        self.assertEqual([scan.name for scan in spread(scans, 4)], ["0", "2", "5", "7"])
+        self.assertEqual(spread(scans, None), scans)
+        self.assertLess(natural("office_2"), natural("office_10"))
+
+
+class OnADataset(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        cls.dataset = Path(cls.made.name) / "dataset"
+        cls.dataset.mkdir()
+        subprocess.run([PROGRAMS / "make_dataset_folders", cls.dataset], check=True)
+        cls.room = cls.dataset / "Area_1" / "office_1"
+        # A second room: the same one with other points.
+        thin = [cls.room, cls.dataset / "thin.pcd", "--keep", "0.7"]
+        subprocess.run([PROGRAMS / "cid_perturb", *thin], check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = Path(self.folder.name) / "out"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_it(self, *arguments):
+        done = experiment(*arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def test_scans_are_found_at_any_depth(self):
+        inside = self.dataset / "out"
+        inside.mkdir()
+        shutil.copy(self.dataset / "thin.pcd", inside)
+        try:
+            names = [scan.name for scan in scans_of(self.dataset, inside)]
+        finally:
+            shutil.rmtree(inside)
+        self.assertEqual(names, ["Area_1/office_1", "scans/scene0000_00", "thin.pcd"])
+        self.assertEqual([scan.name for scan in scans_of(self.room, inside)], ["office_1"])
+
+    def test_scores_are_those_of_the_evaluation(self):
+        self.run_it("tables", self.dataset, self.out)
+        means = []
+        for start in range(2):
+            prediction = Path(self.folder.name) / f"prediction_{start}"
+            truth = Path(self.folder.name) / "truth"
+            prediction.mkdir()
+            truth.mkdir(exist_ok=True)
+            for scan in (self.room, self.dataset / "thin.pcd"):
+                link = truth / scan.name
+                if not link.exists():
+                    link.symlink_to(scan)
+                tool("pcl_cid_segment", scan, prediction / (scan.stem + ".pcd"), "--labels-from",
+                     "label", "--seeds", SEEDS, "--random-seed", start, "--threads", "1")
+            report = Path(self.folder.name) / "report.json"
+            tool("pcl_cid_evaluate", prediction, truth, "--report", report)
+            means.append(json.loads(report.read_text())["mean"])
+        rows = [row for row in rows_of(self.out / "tables.csv") if row["class"] == "mean"
+                and row["classes_from"] == "s3dis" and row["subsample"] == "0"]
+        self.assertEqual(len(rows), 1)
+        for figure in ("ap25", "ap50", "ap75"):
+            expected = sum(mean[figure] for mean in means) / len(means)
+            self.assertAlmostEqual(float(rows[0][figure]), expected)
+        self.assertIn("Table II, ScanNet", (self.out / "tables.md").read_text())
+
+    def test_purity_is_that_of_the_evaluation(self):
+        self.run_it("purity", self.room, self.out)
+        parts = 12
+        rows = [row for row in rows_of(self.out / "purity_scans.csv")
+                if (row["subsample"], row["start"], row["parts"]) == ("0", "1", str(parts))]
+        work = Path(self.folder.name)
+        tool("pcl_cid_abstract", self.room, work / "hulls.ply", "--parts", parts, "--seeds",
+             SEEDS, "--random-seed", "1", "--threads", "1", "--labels", work / "parts.pcd")
+        tool("pcl_cid_evaluate", work / "parts.pcd", self.room, "--protocol", "s3dis",
+             "--report", work / "report.json")
+        report = json.loads((work / "report.json").read_text())
+        self.assertAlmostEqual(float(rows[0]["purity"]), report["purity"])
+        self.assertAlmostEqual(float(rows[0]["compactness"]), report["compactness"])
+
+    def test_killed_run_goes_on(self):
+        arguments = ("tables", self.dataset / "Area_1", self.out, "--jobs", "1")
+        process = subprocess.Popen(command(*arguments), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        while len(stamps(self.out)) < 2:
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        process.kill()
+        process.wait()
+        before = stamps(self.out)
+        done = self.run_it(*arguments)
+        self.assertIn(f" {len(before)} of them done before", done.stdout)
+        after = stamps(self.out)
+        self.assertEqual({path: after[path] for path in before}, before)
+        self.assertEqual(len(after), 2 * 2)  # settings, starts
+        self.assertEqual(list((self.out / "work").iterdir()), [])
+        table = (self.out / "tables.csv").read_bytes()
+        self.run_it(*arguments)
+        self.assertEqual(stamps(self.out), after)
+        self.assertEqual((self.out / "tables.csv").read_bytes(), table)
+
+    def test_failing_scan_is_named_and_the_others_are_scored(self):
+        dataset = Path(self.folder.name) / "dataset"
+        dataset.mkdir()
+        shutil.copy(self.dataset / "thin.pcd", dataset)
+        (dataset / "broken.pcd").write_text("no cloud\n")
+        done = experiment("tables", dataset, self.out, "--starts", "1")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("broken.pcd (tables): pcl_cid_segment: ", done.stderr)
+        self.assertEqual({row["scan"] for row in rows_of(self.out / "tables_scans.csv")},
+                         {"thin.pcd"})
+
+    def test_changed_scan_is_done_again(self):
+        dataset = Path(self.folder.name) / "dataset"
+        dataset.mkdir()
+        shutil.copy(self.dataset / "thin.pcd", dataset)
+        arguments = ("tables", dataset, self.out, "--starts", "1")
+        self.run_it(*arguments)
+        subprocess.run([PROGRAMS / "cid_perturb", self.room, dataset / "thin.pcd",
+                        "--keep", "0.5"], check=True)
+        self.assertIn(" 0 of them done before", self.run_it(*arguments).stdout)
+
+    def test_sweeps(self):
+        self.run_it("seeds", self.room, self.out, "--starts", "1")
+        seeds = {row["seeds"]: row for row in rows_of(self.out / "seeds.csv")
+                 if row["class"] == "mean" and row["subsample"] == "0"}
+        self.assertEqual(list(seeds), ["10", "20"])
+        self.assertTrue((self.out / "seeds_s3dis.png").exists())
+        done = self.run_it("noise", self.room, self.out, "--starts", "1")
+        self.assertIn(" 1 of them done before", done.stdout)  # that of all seeds
+        noise = rows_of(self.out / "noise.csv")
+        for kind in ("noise", "keep"):
+            without = next(row for row in noise if row["disturbance"] == kind)
+            self.assertEqual(without["AP50"], seeds[str(SEEDS)]["ap50"])
+        for row in rows_of(self.out / "noise_scans.csv"):
+            # What is kept of n points: n p, give or take five standard deviations.
+            keep, points = float(row["keep"]), self.points()
+            self.assertAlmostEqual(float(row["points"]), points * keep,
+                                   delta=5 * math.sqrt(points * keep * (1 - keep)))
+
+    def points(self):
+        files = (self.room / "Annotations").iterdir()
+        return sum(len(file.read_text().splitlines()) for file in files)
+
+
+if __name__ == "__main__":
+    unittest.main()
