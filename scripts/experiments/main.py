@@ -11,6 +11,7 @@ import signal
 import sys
 from pathlib import Path
 
+from heatmap import HeatMap
 from noise import Noise
 from programs import Programs
 from purity import Purity
@@ -19,7 +20,7 @@ from seeds import SeedSweep
 from tables import Tables
 from work import Store, do_all
 
-EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise())}
+EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise(), HeatMap())}
 
 
 def at_least_one(text):

@@ -25,6 +25,7 @@ sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
 
 import scores  # noqa: E402
+from heatmap import separation  # noqa: E402
 from purity import contingency, purities  # noqa: E402
 from scans import Scan, natural, scans_of, spread  # noqa: E402
 
@@ -77,6 +78,12 @@ class ByHand(unittest.TestCase):
         self.assertEqual(table.tolist(), [[2, 0], [1, 1], [0, 1]])
         steps = [{"first": 1, "second": 2}, {"first": 0, "second": 1}]
         self.assertEqual(purities(table, steps), [0.8, 0.8, 0.6])
+
+    def test_separation(self):
+        same = np.array([True, True, False, False])
+        self.assertEqual(separation(np.array([0.0, 1.0, 2.0, 3.0]), same), 1.0)
+        self.assertEqual(separation(np.array([0.0, 2.0, 1.0, 3.0]), same), 0.75)
+        self.assertEqual(separation(np.array([1.0, 1.0, 1.0, 1.0]), same), 0.5)
 
     def test_spread_over_the_list(self):
         scans = [Scan(str(i), Path(str(i))) for i in range(10)]
@@ -169,7 +176,7 @@ class OnADataset(unittest.TestCase):
                                    stderr=subprocess.DEVNULL)
         while len(stamps(self.out)) < 2:
             self.assertIsNone(process.poll())
-            time.sleep(0.01)
+            time.sleep(0.05)
         process.kill()
         process.wait()
         before = stamps(self.out)
@@ -226,6 +233,14 @@ class OnADataset(unittest.TestCase):
     def points(self):
         files = (self.room / "Annotations").iterdir()
         return sum(len(file.read_text().splitlines()) for file in files)
+
+    def test_heat_map(self):
+        self.run_it("heatmap", self.dataset, self.out, "--scans", "2")
+        rows = rows_of(self.out / "heatmap_scans.csv")
+        self.assertEqual({row["from"] for row in rows}, {"table", "wall"})
+        self.assertEqual(len(list(self.out.rglob("heatmap-start0.png"))), 2)
+        for row in rows:
+            self.assertGreater(float(row["separation by CID"]), 0.5)
 
 
 if __name__ == "__main__":
