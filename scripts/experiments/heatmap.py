@@ -7,24 +7,19 @@
 # to every point, beside the Euclidean distance.
 
 import statistics
-import threading
 
 import numpy as np
 
 from clouds import finite, positions, read_cloud
 from programs import perturbed
 from report import new_figure, save_picture, write_csv, write_markdown
+from view import View, drawing
 from work import Item
 
 # Numbers of the classes table and wall in the field `semantic`; see doc/io/class_names.md.
 S3DIS_CLASSES = {"table": 8, "wall": 3}
 SCANNET_CLASSES = {"table": 7, "wall": 1}
 PICTURE = "heatmap.png"
-SHOWN_POINTS = 30000
-# Shares of the extent in x, y and z.
-CUT_OFF = (0.05, 0.05, 0.15)
-# Matplotlib's fonts are shared by all figures.
-drawing = threading.Lock()
 
 
 def middle_of(cloud, wanted):
@@ -97,49 +92,17 @@ def heat_map(item, programs, folder):
     return {"rows": rows}
 
 
-def direction_to_viewer(azimuth):
-    """In the ground plane."""
-    return np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
-
-
-def best_azimuth(places, indices):
-    """From where, of four corners, these points are farthest off: at the open side nothing
-    hides them."""
-    middle = (np.nanmin(places, axis=0) + np.nanmax(places, axis=0))[:2] / 2
-    offset = sum(places[index][:2] - middle for index in indices)
-    return min((-60, 30, 120, 210), key=lambda azimuth: offset @ direction_to_viewer(azimuth))
-
-
-def visible(places, azimuth):
-    """Some of the points, without what would hide the room: the walls next to the viewer,
-    and its top."""
-    toward = np.append(direction_to_viewer(azimuth), 1.0)
-    # A few stray points behind walls and windows do not count.
-    low, high = np.nanpercentile(places, (1, 99), axis=0)
-    margin = np.where(toward > 0, high - places, places - low) / (high - low)
-    indices = np.flatnonzero((margin > CUT_OFF).all(axis=1))
-    return indices[::max(1, len(indices) // SHOWN_POINTS)]
-
-
 def draw(cloud, maps, path):
     """A row for each point: CID, the Euclidean distance."""
     figure = new_figure(9, 3.4 * len(maps))
-    places = np.where(finite(cloud)[:, None], positions(cloud), np.nan)
-    azimuth = best_azimuth(places, [index for _, index in maps])
-    shown = visible(places, azimuth)
+    room = View(cloud, [index for _, index in maps])
     axes = figure.subplots(len(maps), 2, squeeze=False, subplot_kw={"projection": "3d"})
     for row, ((name, index), kinds) in zip(axes, maps.items()):
         for panel, (kind, values) in zip(row, kinds.items()):
-            points = panel.scatter(*places[shown].T, c=values[shown], cmap="jet", s=2,
-                                   linewidth=0, vmin=0, vmax=np.nanmax(values[shown]),
-                                   depthshade=False)
-            panel.scatter(*places[index], color="white", edgecolor="k", s=50, zorder=10,
+            points = room.scatter(panel, f"{kind} from the {name}", c=values[room.shown],
+                                  cmap="jet", vmin=0, vmax=np.nanmax(values[room.shown]))
+            panel.scatter(*room.places[index], color="white", edgecolor="k", s=50, zorder=10,
                           depthshade=False)
-            panel.computed_zorder = False
-            panel.set_box_aspect(np.ptp(places[shown], axis=0), zoom=1.5)
-            panel.view_init(elev=45, azim=azimuth)
-            panel.set_axis_off()
-            panel.set_title(f"{kind} from the {name}", fontsize="medium")
             figure.colorbar(points, ax=panel, shrink=0.6, label="metres", pad=0)
     save_picture(path, figure)
 

@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 from heatmap import HeatMap
+from labels import Labels
 from noise import Noise
 from programs import Programs
 from purity import Purity
@@ -20,7 +21,8 @@ from seeds import SeedSweep
 from tables import Tables
 from work import Store, do_all
 
-EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise(), HeatMap())}
+EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise(), HeatMap(),
+                                            Labels())}
 
 
 def at_least_one(text):

@@ -242,6 +242,16 @@ class OnADataset(unittest.TestCase):
         for row in rows:
             self.assertGreater(float(row["separation by CID"]), 0.5)
 
+    def test_picture_of_labels(self):
+        self.run_it("labels", self.room, self.out)
+        self.assertEqual(len(list(self.out.rglob("labels-*.png"))), 1)
+        work = Path(self.folder.name)
+        tool("pcl_cid_segment", self.room, work / "labelled.pcd", "--labels-from", "label",
+             "--seeds", SEEDS, "--threads", "1", "--report", work / "report.json")
+        score = json.loads((work / "report.json").read_text())["score"]
+        row = rows_of(self.out / "labels_scans.csv")[0]
+        self.assertAlmostEqual(float(row["all points"]), score["right"] / score["points"])
+
 
 if __name__ == "__main__":
     unittest.main()
