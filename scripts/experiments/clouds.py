@@ -85,3 +85,13 @@ def positions(cloud):
 def finite(cloud):
     """Which points are."""
     return np.isfinite(positions(cloud)).all(axis=1)
+
+
+def labelled(cloud):
+    """Which finite points have a true label; some must."""
+    if "label" not in cloud.dtype.names:
+        raise ValueError("has no field 'label', the true instances")
+    mask = finite(cloud) & (cloud["label"] != 0)
+    if not mask.any():
+        raise ValueError("none of its finite points has a label other than 0")
+    return mask

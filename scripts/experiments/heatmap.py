@@ -10,7 +10,7 @@ import statistics
 
 import numpy as np
 
-from clouds import finite, positions, read_cloud
+from clouds import labelled, positions, read_cloud
 from programs import perturbed
 from report import new_figure, save_picture, write_csv, write_markdown
 from view import View, drawing
@@ -39,7 +39,7 @@ def largest_instance(cloud, among):
 def sources(cloud, classes):
     """By name, the points to measure from: in the middle of the largest table and of the
     largest wall. What a scan lacks is replaced by the largest instances that are left."""
-    free = finite(cloud) & (cloud["label"] != 0)
+    free = labelled(cloud)
     found = {}
     for name, number in classes.items():
         of_class = free & (cloud["semantic"] == number) if "semantic" in cloud.dtype.names else free
@@ -77,13 +77,13 @@ def heat_map(item, programs, folder):
     scan = perturbed(item.scan, item.settings, programs, folder)
     cloud = read_cloud(scan)
     classes = SCANNET_CLASSES if item.scan.is_scannet else S3DIS_CLASSES
+    known = labelled(cloud)
     rows, maps = [], {}
     for name, index in sources(cloud, classes).items():
         maps[name, index] = distances(cloud, index, scan, programs, folder)
-        known = finite(cloud) & (cloud["label"] != 0)
         same = cloud["label"][known] == cloud["label"][index]
         if same.all():
-            continue
+            raise ValueError("all of its points are on one instance: nothing to tell apart")
         rows.append({"from": name, "index": index,
                      **{f"separation by {kind}": separation(values[known], same)
                         for kind, values in maps[name, index].items()}})

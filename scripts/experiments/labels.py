@@ -11,7 +11,7 @@ import statistics
 import numpy as np
 
 import paper
-from clouds import finite, read_cloud
+from clouds import labelled, read_cloud
 from heatmap import largest_instance, middle_of
 from programs import perturbed
 from propagation import RESOLUTIONS
@@ -28,7 +28,7 @@ def carry_labels(item, programs, folder):
     settings = item.settings
     scan = perturbed(item.scan, settings, programs, folder)
     truth = read_cloud(scan)
-    known = finite(truth) & (truth["label"] != 0)
+    known = labelled(truth)
     labels = {"truth": truth["label"]}
     for subsample, name in RESOLUTIONS.items():
         file = folder / f"labelled_{subsample}.pcd"

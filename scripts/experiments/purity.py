@@ -11,7 +11,7 @@ import statistics
 import numpy as np
 
 import paper
-from clouds import finite, read_cloud
+from clouds import labelled, read_cloud
 from programs import perturbed, read_json
 from propagation import RESOLUTIONS
 from report import new_figure, save_picture, write_csv, write_markdown
@@ -51,7 +51,7 @@ def merge_curve(item, programs, folder):
                       "--labels", folder / "groups.pcd", "--tree", folder / "tree.json")
     truth = read_cloud(copy)
     groups = read_cloud(folder / "groups.pcd")["label"]
-    compared = finite(truth) & (truth["label"] != 0)
+    compared = labelled(truth)
     table = contingency(groups[compared], truth["label"][compared])
     tree = read_json(folder / "tree.json")
     return {"truth_instances": table.shape[1], "parts": len(tree["group_sizes"]),
@@ -118,9 +118,11 @@ class Purity:
         figure = new_figure(10, 4)
         plots, curve = figure.subplots(1, 2, sharey=True)
         known = [key for key, box in boxes.items() if box]
-        plots.boxplot([boxes[key] for key in known], whis=(0, 100),
-                      labels=[f"{compactness:g}\n" + RESOLUTIONS[subsample].replace(" ", "\n")
-                              for subsample, compactness in known])
+        # Few seeds may be too few groups for every compactness.
+        if known:
+            plots.boxplot([boxes[key] for key in known], whis=(0, 100),
+                          labels=[f"{compactness:g}\n" + RESOLUTIONS[subsample].replace(" ", "\n")
+                                  for subsample, compactness in known])
         plots.set(xlabel="compactness, setting", ylabel="purity of a scan", ylim=(0, 1.02))
         plots.tick_params(axis="x", labelsize="small")
         for colour, (subsample, label) in zip(("C0", "C1"), RESOLUTIONS.items()):

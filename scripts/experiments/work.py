@@ -136,7 +136,7 @@ def do_all(items, store, programs, jobs):
             try:
                 results[item.id()] = future.result()
                 progress.advance(item.id())
-            except ProgramError as error:
+            except (ProgramError, ValueError) as error:
                 failures.setdefault(item.scan.name, str(error))
                 progress.advance(item.id() + " FAILED")
     except BaseException:

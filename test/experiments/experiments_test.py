@@ -25,6 +25,7 @@ sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
 
 import scores  # noqa: E402
+from clouds import labelled  # noqa: E402
 from heatmap import separation  # noqa: E402
 from purity import contingency, purities  # noqa: E402
 from scans import Scan, natural, scans_of, spread  # noqa: E402
@@ -78,6 +79,12 @@ class ByHand(unittest.TestCase):
         self.assertEqual(table.tolist(), [[2, 0], [1, 1], [0, 1]])
         steps = [{"first": 1, "second": 2}, {"first": 0, "second": 1}]
         self.assertEqual(purities(table, steps), [0.8, 0.8, 0.6])
+
+    def test_scan_without_labels_is_refused(self):
+        for fields in ([("x", "<f4"), ("y", "<f4"), ("z", "<f4")],
+                       [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("label", "<u4")]):
+            with self.assertRaisesRegex(ValueError, "label"):
+                labelled(np.zeros(3, fields))
 
     def test_separation(self):
         same = np.array([True, True, False, False])
