@@ -170,7 +170,7 @@ public:
     if (smallest >= nearest.squared_distance)
       return;
     int row = 0;
-    while (squared[row] != smallest)
+    while (squared[row] != smallest && row + 1 < PointBlock::capacity)
       ++row;
     nearest.squared_distance = smallest;
     nearest.slot = static_cast<std::int32_t>(number) * PointBlock::capacity + row;

@@ -20,9 +20,9 @@ namespace pcl_cid {
 namespace {
 
 constexpr float no_limit = std::numeric_limits<float>::infinity();
-/// Blocks that a thread takes at a time.
+/** Blocks that a thread takes at a time. */
 constexpr std::size_t grain = 8;
-/// Share of the work that is the tree.
+/** Share of the work that is the tree. */
 constexpr double tree_share = 0.05;
 
 } // namespace

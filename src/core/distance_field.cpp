@@ -14,6 +14,7 @@
 
 #include <pcl_cid/core/distance_field.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -105,7 +106,8 @@ DistanceField::nearestPoint(const Eigen::Vector3f& x) const
   }
   if (found.slot < 0)
     tree_->descend(1, x, found);
-  return {tree_->position(found.slot), std::sqrt(found.squared_distance)};
+  // So far away that float cannot say how far: any point is as near.
+  return {tree_->position(std::max(found.slot, 0)), std::sqrt(found.squared_distance)};
 }
 
 float

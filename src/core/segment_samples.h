@@ -115,7 +115,7 @@ struct SegmentSamples {
   , along(q - p)
   , share(1.0f / static_cast<float>(samples - 1))
   , spacing(along.norm() * share * 1.00001f)
-  , slack(8.0f * std::numeric_limits<float>::epsilon() *
+  , slack(16.0f * std::numeric_limits<float>::epsilon() *
           std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff()))
   {
   }

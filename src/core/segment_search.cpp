@@ -123,8 +123,9 @@ public:
     }
     for (;;) {
       const float highest = highs_.maxCoeff();
-      if (highest < squareOf(largest_))
+      if (!(highest >= squareOf(largest_)))
         return largest_;
+      aim_ = std::sqrt(highest);
       const auto l = static_cast<std::size_t>(
           std::find(highs_.begin(), highs_.end(), highest) - highs_.begin());
       lookUp(l);
@@ -154,7 +155,7 @@ private:
     return certain * certain * (1.0f - 4.0f * epsilon);
   }
 
-  /** \param[in] aim larger distances need not be told apart */
+  /** \param[in] aim bounds that are larger would be of no use, metres */
   void
   start(float aim)
   {

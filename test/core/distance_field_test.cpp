@@ -75,7 +75,18 @@ TEST(DistanceField, NearestIsAtTheDistance)
     const auto nearest = static_cast<std::size_t>(field.nearest(x));
     ASSERT_LT(nearest, surface.size());
     EXPECT_FLOAT_EQ((surface[nearest] - x).norm(), field.distance(x));
+    const DistanceField::Nearest found = field.nearestPoint(x);
+    EXPECT_EQ(found.distance, field.distance(x));
+    EXPECT_EQ(bruteForceDistance({found.point}, x), found.distance);
   }
+}
+
+TEST(DistanceField, IsInfiniteWhereFloatCannotSay)
+{
+  const DistanceField field(twoBoxes(400, 15));
+  for (const Eigen::Vector3f& x :
+       {Eigen::Vector3f(1e30f, 0.0f, 0.0f), Eigen::Vector3f(-3e38f, 3e38f, 1.0f)})
+    EXPECT_EQ(field.distance(x), std::numeric_limits<float>::infinity());
 }
 
 TEST(DistanceField, IsOneLipschitz)

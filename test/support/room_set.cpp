@@ -19,12 +19,12 @@
 namespace pcl_cid::test {
 namespace {
 
-/// Rooms to draw before the seed counts as hopeless.
+/** Rooms to draw before the seed counts as hopeless. */
 constexpr int room_attempts = 100;
-/// Tangent of half of 45 degrees: with quarter turns, furniture looks anywhere.
+/** Tangent of half of 45 degrees: with quarter turns, furniture looks anywhere. */
 constexpr double any_turn = 0.4142;
 
-/// A whole number from \a low to \a high.
+/** A whole number from \a low to \a high. */
 unsigned
 drawCount(RandomGenerator& generator, unsigned low, unsigned high)
 {

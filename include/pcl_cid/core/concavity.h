@@ -43,8 +43,8 @@ segmentSample(const Eigen::Vector3f& p,
 /** \brief CID_p(p, q | S) by Eq. 2: the largest d(x; S) over M equally spaced samples
  *  of the segment pq, both ends included.
  *
- *  Exact, yet most samples are never looked at: d is 1-Lipschitz, so its values at two
- *  samples bound it in between (*ours*).
+ *  Exact, yet most samples are never evaluated: any surface point n bounds d at all
+ *  samples at once, d(x) <= |x - n| (*ours*). Memory is O(M).
  *  \param[in] field the surface S
  *  \param[in] p,q ends of the segment, metres, in the frame of the surface
  *  \param[in] samples M, min_samples to max_samples
