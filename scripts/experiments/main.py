@@ -16,6 +16,7 @@ from labels import Labels
 from noise import Noise
 from programs import Programs
 from purity import Purity
+from report import write_whole
 from scans import scans_of, spread
 from seeds import SeedSweep
 from tables import Tables
@@ -69,8 +70,19 @@ def run(experiment, scans, options, store, programs):
     done, failures = do_all(items, store, programs, options.jobs)
     if done:
         experiment.summarize(done, options, options.out)
+        tell_remarks(experiment, [item for item, _ in done], options, store)
         print((options.out / f"{experiment.name}.md").read_text(encoding="utf-8"))
     return failures
+
+
+def tell_remarks(experiment, items, options, store):
+    """Write, each once, what was repaired, left out or assumed when the scans were read."""
+    remarks = list(dict.fromkeys(remark for item in items for remark in store.remarks(item)))
+    path = options.out / f"{experiment.name}_remarks.txt"
+    write_whole(path, "".join(remark + "\n" for remark in remarks).encode())
+    if remarks:
+        print(f"{len(remarks)} remarks on the scans (what was repaired, left out or assumed), "
+              f"with file and line: {path}")
 
 
 def main(arguments):

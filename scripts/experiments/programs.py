@@ -67,9 +67,17 @@ def read_json(path):
 def perturbed(scan, settings, programs, folder):
     """A PCD file of a scan, with noise and fewer points where the settings say so."""
     copy = folder / "scan.pcd"
-    programs.run("cid_perturb", scan.path, copy, "--noise", settings.get("noise", 0),
-                 "--keep", settings.get("keep", 1), "--random-seed", settings["start"])
+    remarks = programs.run("cid_perturb", scan.path, copy, "--noise", settings.get("noise", 0),
+                           "--keep", settings.get("keep", 1), "--random-seed", settings["start"])
+    report = json.dumps({"remarks": remarks.splitlines()})
+    (folder / "perturb.json").write_text(report, encoding="utf-8")
     return copy
+
+
+def remarks_in(folder):
+    """What the reports in a folder say that was repaired, left out or assumed in reading."""
+    return [remark for report in sorted(folder.glob("*.json"))
+            for remark in read_json(report).get("remarks", [])]
 
 
 def propagate(item, programs, folder):

@@ -5,9 +5,12 @@
 #
 # The scans of a dataset: room folders of S3DIS, scan folders of ScanNet, PCD and PLY files.
 
+import os
 import re
 from dataclasses import dataclass
 from pathlib import Path
+
+CLASS_TABLE = "scannetv2-labels.combined.tsv"
 
 
 @dataclass(frozen=True)
@@ -23,12 +26,22 @@ class Scan:
         return ["--classes", "scannet"] if self.is_scannet else []
 
     def fingerprint(self):
-        """Bytes and time of the newest change: another one is another scan."""
+        """Bytes and time of the newest change: another one is another scan. Of the table
+        of classes of ScanNet, too, which may be above the folder."""
         files = [self.path]
         if self.path.is_dir():
             files = [file for file in self.path.rglob("*") if file.is_file()]
         stats = [file.stat() for file in files]
-        return [sum(each.st_size for each in stats), max(each.st_mtime_ns for each in stats)]
+        table = [] if not self.is_scannet else class_table(self.path)
+        return [sum(each.st_size for each in stats), max(each.st_mtime_ns for each in stats),
+                *([each.stat().st_size, each.stat().st_mtime_ns] for each in table)]
+
+
+def class_table(folder):
+    """The nearest one in the folder or above it, as the programs find it; a list of one or none."""
+    place = Path(os.path.abspath(folder))
+    tables = [each / CLASS_TABLE for each in (place, *place.parents)]
+    return [table for table in tables if table.exists()][:1]
 
 
 def natural(text):

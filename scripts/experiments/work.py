@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Callable
 
-from programs import ProgramError
+from programs import ProgramError, remarks_in
 from scans import Scan
 
 
@@ -70,16 +70,23 @@ class Store:
         }
 
     def result(self, item):
-        """That of an earlier run, or None."""
+        """That of an earlier run; None when there is none, or the file is broken."""
         try:
-            stored = json.loads(self.path(item).read_text(encoding="utf-8"))
-        except FileNotFoundError:
+            stored = self.stored(item)
+            if stored["key"] != self.key(item):
+                return None
+            if item.picture and not self.path(item, ".png").exists():
+                return None
+            return stored["result"] if isinstance(stored["result"], dict) else None
+        except (OSError, ValueError, LookupError, TypeError):
             return None
-        if stored["key"] != self.key(item):
-            return None
-        if item.picture and not self.path(item, ".png").exists():
-            return None
-        return stored["result"]
+
+    def stored(self, item):
+        return json.loads(self.path(item).read_text(encoding="utf-8"))
+
+    def remarks(self, item):
+        """What the programs repaired, left out or assumed when they read the scan."""
+        return self.stored(item).get("remarks", [])
 
     def do(self, item, programs):
         """Do it, and keep the result."""
@@ -91,7 +98,8 @@ class Store:
             if item.picture:
                 os.replace(folder / item.picture, self.path(item, ".png"))
             new = folder / "result.json"
-            new.write_text(json.dumps({"key": key, "result": result}), encoding="utf-8")
+            stored = {"key": key, "remarks": remarks_in(folder), "result": result}
+            new.write_text(json.dumps(stored), encoding="utf-8")
             os.replace(new, self.path(item))
         return result
 
@@ -121,6 +129,13 @@ class Progress:
             self.stream.write("\r\033[K")
 
 
+def reason(error):
+    """For the user; where the text alone may say too little, with the kind of error."""
+    if isinstance(error, (ProgramError, ValueError)):
+        return str(error)
+    return f"{type(error).__name__}: {error}"
+
+
 def do_all(items, store, programs, jobs):
     """Do what is not done yet. Gives the results, and for each scan that failed, why."""
     results = {item.id(): store.result(item) for item in items}
@@ -136,8 +151,8 @@ def do_all(items, store, programs, jobs):
             try:
                 results[item.id()] = future.result()
                 progress.advance(item.id())
-            except (ProgramError, ValueError) as error:
-                failures.setdefault(item.scan.name, str(error))
+            except Exception as error:  # whatever it is, the other items are done
+                failures.setdefault(item.scan.name, reason(error))
                 progress.advance(item.id() + " FAILED")
     except BaseException:
         programs.stop()

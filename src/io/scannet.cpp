@@ -123,6 +123,12 @@ private:
           json.wholeNumber(indices[i], "segIndices[" + std::to_string(i) + "]"));
   }
 
+  static std::string
+  placeOf(std::size_t group)
+  {
+    return "segGroups[" + std::to_string(group) + "]";
+  }
+
   void
   readGroups()
   {
@@ -131,13 +137,12 @@ private:
     const Json& groups = json.array(json.root(), "", "segGroups");
     std::set<std::string> unknown;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      const std::string where = "segGroups[" + std::to_string(i) + "]";
-      const std::string label = json.text(groups[i], where, "label");
+      const std::string label = json.text(groups[i], placeOf(i), "label");
       const auto found = classes.find(label);
       if (found == classes.end())
         unknown.insert(label);
       else
-        takeGroup(json, groups[i], where, found->second);
+        takeGroup(json, groups, i, found->second);
     }
     requireKnown(unknown);
     remarkOnSegments();
@@ -145,15 +150,31 @@ private:
 
   void
   takeGroup(const JsonReading& json,
-            const Json& group,
-            const std::string& where,
+            const Json& groups,
+            std::size_t i,
             std::uint32_t semantic)
   {
-    const Owner owner{
-        json.wholeNumber(json.member(group, where, "objectId"), where + ".objectId") +
-            1,
-        semantic};
-    for (const Json& segment : json.array(group, where, "segments")) {
+    const Json& group = groups[i];
+    const std::string where = placeOf(i);
+    const std::string id_place = where + ".objectId";
+    const std::uint32_t id =
+        json.wholeNumber(json.member(group, where, "objectId"), id_place);
+    const Json& segments = json.array(group, where, "segments");
+    const auto [known_id, is_new] = group_of_id_.try_emplace(id, i);
+    if (!is_new) {
+      const Json& earlier = groups[known_id->second];
+      if (segments != earlier["segments"] || group["label"] != earlier["label"])
+        json.fail(id_place,
+                  sentence("is ",
+                           id,
+                           ", as that of ",
+                           placeOf(known_id->second),
+                           ", which has another label or other segments; each group "
+                           "must have its own"));
+      ++repeated_groups_;
+    }
+    const Owner owner{id + 1, semantic};
+    for (const Json& segment : segments) {
       Owner& known = owners_[json.wholeNumber(segment, where + ".segments[]")];
       shared_segments_ +=
           known.instance != 0 && known.instance != owner.instance ? 1 : 0;
@@ -185,6 +206,12 @@ private:
                        countOf(shared_segments_, "segment"),
                        " of a group stood in an earlier one, too; the later one has "
                        "them"));
+    if (repeated_groups_ > 0)
+      remark_(sentence(files_.aggregation,
+                       ": ",
+                       countOf(repeated_groups_, "group"),
+                       " stood there before, with the same objectId, label and "
+                       "segments, and counted once"));
     const std::set<std::uint32_t> used(segments_.begin(), segments_.end());
     std::size_t missing = 0;
     for (const auto& owner : owners_)
@@ -202,6 +229,8 @@ private:
   std::vector<std::uint32_t> segments_; ///< of each vertex
   std::unordered_map<std::uint32_t, Owner> owners_;
   std::size_t shared_segments_ = 0;
+  std::unordered_map<std::uint32_t, std::size_t> group_of_id_; ///< the first one
+  std::size_t repeated_groups_ = 0;
 };
 
 /** All files of the annotation are there. */

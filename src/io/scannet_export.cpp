@@ -7,7 +7,6 @@
  * What tools made for ScanNet read: superpoints, and predictions for its benchmark.
  */
 
-#include "../core/validation.h"
 #include "field_values.h"
 
 #include <pcl_cid/io/scannet_export.h>
@@ -19,23 +18,6 @@
 #include <nlohmann/json.hpp>
 
 namespace pcl_cid {
-namespace {
-
-/** The class of most points. */
-std::uint32_t
-commonest(const std::map<std::uint32_t, std::size_t>& points_of_class)
-{
-  std::uint32_t best = 0;
-  std::size_t most = 0;
-  for (const auto& [semantic, points] : points_of_class)
-    if (semantic != 0 && points > most) {
-      best = semantic;
-      most = points;
-    }
-  return best;
-}
-
-} // namespace
 
 void
 writeSuperpoints(std::ostream& stream,
@@ -60,25 +42,13 @@ instancesWithTrueClass(const std::vector<std::uint32_t>& labels,
                        const std::vector<std::uint32_t>& true_labels,
                        const std::vector<std::uint32_t>& true_classes)
 {
-  if (labels.size() != true_labels.size() || labels.size() != true_classes.size())
-    throw CIDException(sentence("there are ",
-                                labels.size(),
-                                " labels, ",
-                                true_labels.size(),
-                                " true labels and ",
-                                true_classes.size(),
-                                " true classes; there must be one of each for each "
-                                "point"));
-  std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> classes_of;
-  for (const std::uint32_t label : labels)
-    if (label != 0)
-      classes_of[label];
-  for (std::size_t i = 0; i < true_labels.size(); ++i)
-    if (const auto found = classes_of.find(true_labels[i]); found != classes_of.end())
-      ++found->second[true_classes[i]];
-  std::vector<PredictedInstance> instances;
-  for (const auto& [label, classes] : classes_of)
-    instances.push_back({label, commonest(classes)});
+  const InstanceOverlaps scan = overlapsOf({labels, {}}, {true_labels, true_classes});
+  std::map<std::uint32_t, std::uint32_t> class_of;
+  for (const Instance& truth : scan.truths)
+    class_of[truth.label] = truth.semantic;
+  std::vector<PredictedInstance> instances = scan.predictions;
+  for (PredictedInstance& instance : instances)
+    instance.semantic = class_of[instance.label];
   return instances;
 }
 

@@ -34,7 +34,8 @@ textOf(const std::string& path)
 }
 
 /** \brief Call \a take(line, number) for each line that is not blank, without its end,
- *  which may be that of Windows. Lines count from 1. */
+ *  which may be that of Windows, even with several '\r' as some conversions leave them.
+ *  Lines count from 1. */
 template <typename Take>
 void
 forEachLine(std::string_view text, const Take& take)
@@ -43,7 +44,7 @@ forEachLine(std::string_view text, const Take& take)
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line.back() == '\r')
+    while (!line.empty() && line.back() == '\r')
       line.remove_suffix(1);
     if (line.find_first_not_of(" \t") != std::string_view::npos)
       take(line, number);

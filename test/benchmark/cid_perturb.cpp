@@ -4,7 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Not installed: adds noise to a scan and thins it, for the experiments.
+ * Not installed: adds noise to a scan and thins it, for the experiments. Remarks on the
+ * scan go to the standard output.
  */
 
 #include "perturbation.h"
@@ -14,6 +15,7 @@
 #include <pcl_cid/io/scan_source.h>
 
 #include <cfloat>
+#include <iostream>
 #include <ostream>
 #include <string>
 
@@ -68,7 +70,9 @@ perturb(const PerturbSettings& settings)
 {
   OutputFiles outputs(scanFiles(settings.input));
   outputs.announce(settings.output);
-  LabelledCloud cloud = readScan(settings.input);
+  ScanOptions options;
+  options.remark = [](const std::string& sentence) { std::cout << sentence << '\n'; };
+  LabelledCloud cloud = readScan(settings.input, options);
   cloud.fields = test::perturbed(cloud.fields, settings.perturbation);
   outputs.write(settings.output, [&](std::ostream& stream) {
     writeCloud(stream, cloud, formatFor(settings.output, cloud.format));

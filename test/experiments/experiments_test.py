@@ -29,6 +29,7 @@ from clouds import labelled  # noqa: E402
 from heatmap import separation  # noqa: E402
 from purity import contingency, purities  # noqa: E402
 from scans import Scan, natural, scans_of, spread  # noqa: E402
+from work import Item, Store, do_all  # noqa: E402
 
 import numpy as np  # noqa: E402
 
@@ -97,6 +98,36 @@ class ByHand(unittest.TestCase):
         self.assertEqual([scan.name for scan in spread(scans, 4)], ["0", "2", "5", "7"])
         self.assertEqual(spread(scans, None), scans)
         self.assertLess(natural("office_2"), natural("office_10"))
+
+
+    def test_any_error_fails_its_scan_alone(self):
+        def work(item, programs, folder):
+            if item.scan.name == "bad":
+                raise KeyError("x")
+            return {"points": 1}
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            scans = [Scan(each, folder / each) for each in ("bad", "good", "gone")]
+            for scan in scans[:2]:
+                scan.path.write_text("")
+            items = [Item(scan, "kind", {}, work) for scan in scans]
+            done, failures = do_all(items, Store(folder / "out", "1"), None, 2)
+        self.assertEqual([(item.scan.name, result) for item, result in done],
+                         [("good", {"points": 1})])
+        self.assertEqual(failures["bad"], "KeyError: 'x'")
+        self.assertIn("gone", failures["gone"])
+
+    def test_class_table_is_part_of_a_scan(self):
+        with tempfile.TemporaryDirectory() as name:
+            scan = Scan("a", Path(name) / "scans" / "a", is_scannet=True)
+            scan.path.mkdir(parents=True)
+            (scan.path / "a_vh_clean_2.ply").write_text("")
+            seen = [scan.fingerprint()]
+            for place in (Path(name), scan.path.parent, scan.path):
+                for text in ("old", "newer"):
+                    (place / "scannetv2-labels.combined.tsv").write_text(text)
+                    self.assertNotIn(scan.fingerprint(), seen)
+                    seen.append(scan.fingerprint())
 
 
 class OnADataset(unittest.TestCase):
@@ -218,6 +249,36 @@ class OnADataset(unittest.TestCase):
         subprocess.run([PROGRAMS / "cid_perturb", self.room, dataset / "thin.pcd",
                         "--keep", "0.5"], check=True)
         self.assertIn(" 0 of them done before", self.run_it(*arguments).stdout)
+
+    def test_broken_result_is_done_again(self):
+        dataset = Path(self.folder.name) / "dataset"
+        dataset.mkdir()
+        shutil.copy(self.dataset / "thin.pcd", dataset)
+        arguments = ("tables", dataset, self.out, "--starts", "1")
+        self.run_it(*arguments)
+        results = list(stamps(self.out))
+        whole = results[0].read_bytes()
+        for broken in (b"", whole[:-9], b"[]", b"{}", b"null", b"\xff", json.dumps(
+                {"key": json.loads(whole)["key"]}).encode()):
+            results[0].write_bytes(broken)
+            self.assertIn(f" {len(results) - 1} of them done before",
+                          self.run_it(*arguments).stdout)
+            self.assertEqual(json.loads(results[0].read_bytes())["key"],
+                             json.loads(whole)["key"])
+
+    def test_remarks_on_scans_are_told(self):
+        room = Path(self.folder.name) / "office_1"
+        shutil.copytree(self.room, room)
+        wall = min((room / "Annotations").glob("wall_*.txt"))
+        lines = wall.read_bytes().splitlines()
+        lines[2] = lines[2].replace(b" ", b"\0", 1)
+        wall.write_bytes(b"\n".join(lines) + b"\n")
+        for name in ("tables", "labels"):
+            done = self.run_it(name, room, self.out, "--starts", "1")
+            told = (self.out / f"{name}_remarks.txt").read_text().splitlines()
+            self.assertEqual(len(told), 1)
+            self.assertIn(f"{wall}: line 3: ", told[0])
+            self.assertIn(f"{name}_remarks.txt", done.stdout)
 
     def test_sweeps(self):
         self.run_it("seeds", self.room, self.out, "--starts", "1")

@@ -256,9 +256,12 @@ TEST_F(S3DISRoom, IsReadThroughAnyNameOfItsFolder)
 
 TEST_F(S3DISRoom, ReadsLinesHoweverTheyEnd)
 {
-  annotate("wall_1.txt", "1 1 1 1 1 1\r\n\r\n 2\t2  2 2 2 2 \r\n\n+3 3 3 3 3 3");
-  writeText(room_ + "/office_3.txt", "0 0 0 0 0 0\r\n0 0 0 0 0 0\r\n\r\n0 0 0 0 0 0");
-  EXPECT_EQ(valuesOf<float>(read().fields, "x"), (std::vector<float>{1, 2, 3}));
+  annotate(
+      "wall_1.txt",
+      "1 1 1 1 1 1\r\n\r\n 2\t2  2 2 2 2 \r\n\n+3 3 3 3 3 3\r\r\n\r\r\n4 4 4 4 4 4\r");
+  writeText(room_ + "/office_3.txt",
+            "0 0 0 0 0 0\r\n0 0 0 0 0 0\r\n\r\r\n0 0 0 0 0 0\r\r\n0 0 0 0 0 0");
+  EXPECT_EQ(valuesOf<float>(read().fields, "x"), (std::vector<float>{1, 2, 3, 4}));
   EXPECT_EQ(remarks_, Strings{});
 }
 

@@ -56,7 +56,7 @@ TEST(PredictedInstances, HaveTheClassOfTheTrueInstance)
   EXPECT_EQ(instances[1].semantic, 6u);
 }
 
-TEST(PredictedInstances, TakeTheSmallerClassOfTwoAndNoneOnlyWhenThereIsNoOther)
+TEST(PredictedInstances, HaveTheClassThatTheEvaluationGivesTheTruth)
 {
   const auto classOf = [](const Labels& true_classes) {
     return instancesWithTrueClass({1, 1, 1, 1}, {1, 1, 1, 1}, true_classes)
@@ -64,8 +64,12 @@ TEST(PredictedInstances, TakeTheSmallerClassOfTwoAndNoneOnlyWhenThereIsNoOther)
         .semantic;
   };
   EXPECT_EQ(classOf({8, 3, 3, 8}), 3u);
-  EXPECT_EQ(classOf({0, 0, 0, 8}), 8u);
-  EXPECT_EQ(classOf({0, 0, 0, 0}), 0u);
+  const std::vector<Labels> some = {
+      {8, 3, 3, 8}, {8, 3, 3, 3}, {0, 0, 0, 8}, {0, 0, 8, 8}, {0, 8, 8, 8}};
+  for (const Labels& classes : some)
+    EXPECT_EQ(
+        classOf(classes),
+        overlapsOf({{1, 1, 1, 1}, {}}, {{1, 1, 1, 1}, classes}).truths[0].semantic);
   // A label that is nowhere in truth.
   EXPECT_EQ(instancesWithTrueClass({6}, {1}, {3}).at(0).semantic, 0u);
 }
@@ -80,7 +84,7 @@ TEST(PredictedInstances, NeedOneOfEachForEachPoint)
 TEST(Predictions, NameMaskClassAndConfidence)
 {
   std::ostringstream stream;
-  writePredictions(stream, "scene0707_00", {{7, 33, 1.0}, {2, 5, 0.7234}});
+  writePredictions(stream, "scene0707_00", {{{7, 33, 10}, 1.0}, {{2, 5, 10}, 0.7234}});
   EXPECT_EQ(stream.str(),
             "pred_mask/scene0707_00_000.txt 33 1\n"
             "pred_mask/scene0707_00_001.txt 5 0.7234\n");

@@ -205,6 +205,29 @@ TEST_F(ScannetScan, GivesSharedSegmentsToTheLaterGroup)
                                    "too; the later one has them"});
 }
 
+TEST_F(ScannetScan, RefusesOneObjectIdForTwoGroups)
+{
+  const std::string first =
+      R"({"segGroups": [{"objectId": 3, "segments": [9, 2], "label": "wall"},
+                        {"objectId": 0, "segments": [0], "label": "wall"},)";
+  for (const char* const other :
+       {R"({"objectId": 3, "segments": [7], "label": "wall"}]})",
+        R"({"objectId": 3, "segments": [9, 2], "label": "office chair"}]})"}) {
+    writeText(aggregation_, first + other);
+    EXPECT_EQ(complaint(),
+              aggregation_ +
+                  ": segGroups[2].objectId is 3, as that of segGroups[0], which has "
+                  "another label or other segments; each group must have its own");
+  }
+  // The same group twice says nothing else.
+  writeText(aggregation_,
+            first + R"({"objectId": 3, "segments": [9, 2], "label": "wall"}]})");
+  EXPECT_EQ(labels(read(), "label"), (Labels{0, 0, 4, 4, 1, 4}));
+  EXPECT_EQ(remarks_,
+            Strings{aggregation_ + ": 1 group stood there before, with the same "
+                                   "objectId, label and segments, and counted once"});
+}
+
 TEST_F(ScannetScan, TellsOfSegmentsWithoutVertices)
 {
   writeText(

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/instance_overlaps.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
@@ -31,23 +32,12 @@ writeSuperpoints(std::ostream& stream,
                  const std::string& scan_id,
                  const pcl::Indices& group);
 
-/** \brief An instance that is predicted. */
-struct PredictedInstance {
-  /** Which points: those with this label. */
-  std::uint32_t label;
-  /** Its class, a number of nyu40Classes(). */
-  std::uint32_t semantic;
-  /** Above 0, to 1. */
-  double confidence = 1.0;
-};
-
 /** \brief What was predicted when an annotator, who knows the truth, labelled seeds:
- *  an instance for each label but 0, with the class of the true instance of this label,
- *  that is the one most of its points have, the smaller number when two have as many.
+ *  an instance for each label but 0, with the class that the true instance of this
+ *  label has by the rule of overlapsOf().
  *  \param[in] labels predicted, one for each point
  *  \param[in] true_labels the same numbers, as the annotator saw them
- *  \param[in] true_classes of each point; 0 is none and never the class of an instance
- *  that has another
+ *  \param[in] true_classes of each point, 0 for none
  *  \return in the order of the labels; a label that the truth does not have gets the
  *  class 0
  *  \throws CIDException when there is not one of each for each point */
@@ -69,7 +59,9 @@ PCL_CID_IO_EXPORT bool
 isMaskFileName(const std::string& name, const std::string& scan_id);
 
 /** \brief Write the predictions of a scan, `<id>.txt`: a line
- *  `pred_mask/<id>_NNN.txt <class> <confidence>` for each. */
+ *  `pred_mask/<id>_NNN.txt <class> <confidence>` for each.
+ *  \param[in] instances their classes are numbers of nyu40Classes(), their confidences
+ *  above 0, to 1 */
 PCL_CID_IO_EXPORT void
 writePredictions(std::ostream& stream,
                  const std::string& scan_id,
