@@ -115,6 +115,8 @@ public:
   float
   maximum(std::size_t& hint)
   {
+    if (segment_.p == segment_.q) // all samples are the same
+      return evaluate(hint).distance;
     if (!started_) {
       start(infinity);
       lookUp(hint);
