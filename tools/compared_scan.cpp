@@ -17,11 +17,16 @@
 #include <set>
 #include <sstream>
 
+#include <Eigen/Geometry>
+
 namespace pcl_cid::tools {
 namespace {
 
-/** What ascii files with 6 digits round away, of a coordinate or, near 0, of 1. */
+/** What ascii files with 6 digits round away, of the largest coordinate; */
 constexpr double rounding = 1e-5;
+/** but no more than this of the scan's diagonal: far from the origin, neighbours would
+ *  pass for each other. */
+constexpr double most_rounding = 1e-4;
 
 struct ReadScan {
   LabelledCloud cloud;
@@ -55,18 +60,34 @@ struct ReadScan {
   }
 };
 
-bool
-areSame(double a, double b)
+/** How far apart equal coordinates may be, metres. */
+double
+toleranceFor(const ReadScan& scan)
 {
-  if (!std::isfinite(a) || !std::isfinite(b))
-    return std::isfinite(a) == std::isfinite(b);
-  return std::abs(a - b) <= rounding * std::max({1.0, std::abs(a), std::abs(b)});
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < scan.cloud.size(); ++i)
+    if (const Eigen::Vector3d point = scan.point(i); point.allFinite())
+      box.extend(point);
+  if (box.isEmpty())
+    return 0.0;
+  const double largest =
+      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return std::min(rounding * largest, most_rounding * box.diagonal().norm());
 }
 
 bool
-areSame(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+areSame(double a, double b, double tolerance)
 {
-  return areSame(a.x(), b.x()) && areSame(a.y(), b.y()) && areSame(a.z(), b.z());
+  if (!std::isfinite(a) || !std::isfinite(b))
+    return std::isfinite(a) == std::isfinite(b);
+  return std::abs(a - b) <= tolerance;
+}
+
+bool
+areSame(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double tolerance)
+{
+  return areSame(a.x(), b.x(), tolerance) && areSame(a.y(), b.y(), tolerance) &&
+         areSame(a.z(), b.z(), tolerance);
 }
 
 std::string
@@ -87,9 +108,10 @@ requireSamePoints(const ReadScan& prediction, const ReadScan& truth)
     throw CIDException(names + ": have " + std::to_string(size) + " and " +
                        std::to_string(truth.cloud.size()) +
                        " points; they must have the same points in the same order");
+  const double tolerance = toleranceFor(truth);
   for (std::size_t i = 0; i < size; ++i)
     if (const Eigen::Vector3d p = prediction.point(i), t = truth.point(i);
-        !areSame(p, t))
+        !areSame(p, t, tolerance))
       throw CIDException(names + ": differ in point " + std::to_string(i) + " of " +
                          std::to_string(size) + ", which is at " + text(p) + " and " +
                          text(t) +
@@ -145,7 +167,7 @@ compareScans(const ScanPair& pair,
   const auto remark = [&](const std::string& sentence) {
     scan.remarks.push_back(sentence);
   };
-  const ReadScan prediction(pair.prediction, {"", remark});
+  const ReadScan prediction(pair.prediction, {class_table, remark});
   const ReadScan truth(pair.truth, {class_table, remark});
   requireSamePoints(prediction, truth);
 

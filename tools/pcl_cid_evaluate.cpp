@@ -121,14 +121,21 @@ announceOutputs(const EvaluateSettings& settings, OutputFiles& outputs)
       outputs.announce(path);
 }
 
+/** What is read, as far as it can be told: a scan that is not as it should be is
+ *  reported when its turn comes. */
 std::vector<std::string>
 inputsOf(const EvaluateSettings& settings, const std::vector<ScanPair>& pairs)
 {
   std::vector<std::string> inputs{settings.classes, settings.class_table};
   for (const ScanPair& pair : pairs)
     for (const std::string& scan : {pair.prediction, pair.truth})
-      for (const std::string& path : scanFiles(scan))
-        inputs.push_back(path);
+      try {
+        for (const std::string& path : scanFiles(scan, settings.class_table))
+          inputs.push_back(path);
+      }
+      catch (const CIDException&) {
+        inputs.push_back(scan);
+      }
   return inputs;
 }
 

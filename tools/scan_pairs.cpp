@@ -29,16 +29,42 @@ isScan(const fs::path& path)
          (fs::is_regular_file(path) && (extension == ".pcd" || extension == ".ply"));
 }
 
+/** Its name, for a scan that says it plainly; else that of its file or folder: what is
+ *  wrong with it shows when it is read. */
+std::string
+nameOf(const fs::path& path)
+{
+  try {
+    return scanName(path.string());
+  }
+  catch (const CIDException&) {
+    return path.stem().string();
+  }
+}
+
+std::vector<fs::path>
+entriesOf(const std::string& folder)
+{
+  std::error_code error;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    entries.push_back(entry->path());
+  if (error)
+    throw CIDException(folder + ": cannot be listed: " + error.message());
+  return entries;
+}
+
 /** The scans of a folder by name. */
 std::map<std::string, std::string>
 scansIn(const std::string& folder)
 {
   std::map<std::string, std::string> scans;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string path = entry.path().string();
-    if (!isScan(entry.path()))
+  for (const fs::path& entry : entriesOf(folder)) {
+    const std::string path = entry.string();
+    if (!isScan(entry))
       continue;
-    const auto [known, is_new] = scans.emplace(scanName(path), path);
+    const auto [known, is_new] = scans.emplace(nameOf(entry), path);
     if (!is_new)
       throw CIDException(path + ": has the same name as " + known->second +
                          "; names of scans must differ");
@@ -100,7 +126,7 @@ pairScans(const std::string& prediction, const std::string& truth, bool partial)
                        " is one scan; both must be the one or the other");
   if (are_folders)
     return pairFolders(prediction, truth, partial);
-  return {{scanName(truth), prediction, truth}};
+  return {{nameOf(truth), prediction, truth}};
 }
 
 } // namespace pcl_cid::tools

@@ -343,7 +343,7 @@ runTool(const std::string& tool, const std::function<void()>& work)
     return 128 + caught_signal;
   }
   catch (const std::bad_alloc&) {
-    return fail(tool, "there is not enough memory; try --subsample 20000");
+    return fail(tool, "there is not enough memory for so many points; give it fewer");
   }
   catch (const std::exception& error) {
     return fail(tool, error.what());

@@ -277,19 +277,23 @@ TEST_F(EvaluateTool, GoesOnAfterAScanThatFails)
                         "truth/" + std::string(name) + ".pcd");
   writeText(file("prediction/a.pcd"), "rubbish\n");
   writeScan("prediction/c.pcd", "label", {"1", "2"});
+  fs::copy_file(file("prediction/b.pcd"), file("prediction/d.pcd"));
+  fs::create_directory(file("truth/d"));
+  for (const char* const mesh : {"e_vh_clean_2.ply", "f_vh_clean_2.ply"})
+    writeText(file("truth/d/" + std::string(mesh)), "two meshes");
   const ToolRun done = evaluate(
       {file("prediction"), file("truth"), "--report", file("r.json"), "--quiet"});
   EXPECT_EQ(done.exit_code, 1);
-  EXPECT_EQ(linesOf(done.err), 3u) << done.err;
+  EXPECT_EQ(linesOf(done.err), 4u) << done.err;
   EXPECT_NE(done.err.find("a.pcd: is neither"), std::string::npos) << done.err;
   EXPECT_NE(done.err.find("2 and 8 points"), std::string::npos) << done.err;
-  EXPECT_NE(done.err.find("2 of 3 scans could not be scored: a, c\n"),
+  EXPECT_NE(done.err.find("3 of 4 scans could not be scored: a, c, d\n"),
             std::string::npos)
       << done.err;
   const nlohmann::json report = nlohmann::json::parse(readText(file("r.json")));
   ASSERT_EQ(report["scans"].size(), 1u);
   EXPECT_EQ(report["scans"][0]["name"], "b");
-  ASSERT_EQ(report["failed"].size(), 2u);
+  ASSERT_EQ(report["failed"].size(), 3u);
   EXPECT_EQ(report["failed"][1]["name"], "c");
   EXPECT_DOUBLE_EQ(report["mean"]["ap25"], 0.75);
 
@@ -298,7 +302,7 @@ TEST_F(EvaluateTool, GoesOnAfterAScanThatFails)
   const ToolRun nothing = evaluate(
       {file("prediction"), file("truth"), "--report", file("r.json"), "--quiet"});
   EXPECT_EQ(nothing.exit_code, 1);
-  EXPECT_NE(nothing.err.find("none of the 3 scans"), std::string::npos) << nothing.err;
+  EXPECT_NE(nothing.err.find("none of the 4 scans"), std::string::npos) << nothing.err;
   EXPECT_FALSE(fs::exists(file("r.json")));
 }
 
@@ -338,6 +342,28 @@ TEST_F(EvaluateTool, RefusesOtherPoints)
   expectRefused(arguments, {"point 6 of 8"});
   replace("5 0.5 -2", "5.00001 0.499999 -2"); // as rounded by other programs
   EXPECT_EQ(evaluate(arguments).exit_code, 0);
+}
+
+TEST_F(EvaluateTool, RefusesAnotherOrderWhereverAndHoweverSmallTheScanIs)
+{
+  const auto write = [&](const char* name, const std::vector<std::string>& points) {
+    std::string text = "VERSION 0.7\nFIELDS x y z label\nSIZE 8 8 8 4\nTYPE F F F U\n"
+                       "COUNT 1 1 1 1\nWIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+                       "POINTS 3\nDATA ascii\n";
+    for (const std::string& point : points)
+      text += point + " 1\n";
+    writeText(file(name), text);
+  };
+  const std::vector<std::vector<std::string>> scans = {
+      {"500000.25 4000000.5 0", "500000.75 4000000.5 0", "500001.5 4000000.5 0"},
+      {"1e-6 2e-6 0", "2e-6 2e-6 0", "4e-6 2e-6 0"}};
+  for (const std::vector<std::string>& points : scans) {
+    write("truth.pcd", points);
+    write("prediction.pcd", points);
+    EXPECT_EQ(evaluate({file("prediction.pcd"), file("truth.pcd")}).exit_code, 0);
+    write("prediction.pcd", {points[0], points[2], points[1]});
+    expectRefused({file("prediction.pcd"), file("truth.pcd")}, {"point 1 of 3"});
+  }
 }
 
 TEST_F(EvaluateTool, RefusesLabelsAndClassesItCannotScore)

@@ -11,6 +11,7 @@
 
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/random.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +47,11 @@ pointSpacing(const Cloud& cloud)
   for (const pcl::PointXYZ& point : cloud)
     if (tree.nearestKSearch(point, 2, neighbours, squared) == 2)
       nearest.push_back(squared[1]);
-  if (nearest.empty())
-    return 0.0;
   const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
   std::nth_element(nearest.begin(), middle, nearest.end());
+  if (nearest.empty() || *middle <= 0.0f)
+    throw CIDException("the scan has no spacing: most of its points are equal, and the "
+                       "lengths of the peers' settings are multiples of it");
   return std::sqrt(*middle);
 }
 

@@ -74,7 +74,8 @@ std::vector<PeerRun>
 wcsegRuns(const PeerScan& scan);
 
 /** \brief Median distance from a point to its nearest neighbour: what lengths of a
- *  sweep are multiples of, for clouds of any unit and density. */
+ *  sweep are multiples of, for clouds of any unit and density.
+ *  \throws CIDException when it is 0 */
 double
 pointSpacing(const Cloud& cloud);
 
