@@ -85,14 +85,15 @@ appendField(const std::string& name,
 std::vector<std::uint8_t>
 bytesOf(const pcl::PCLPointCloud2& cloud, const std::string& field);
 
-/** \brief The values of a field. */
+/** \brief The values of a field; none when there is no such field. */
 template <typename Value>
 std::vector<Value>
 valuesOf(const pcl::PCLPointCloud2& cloud, const std::string& field)
 {
   const std::vector<std::uint8_t> bytes = bytesOf(cloud, field);
   std::vector<Value> values(bytes.size() / sizeof(Value));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
+  if (!values.empty())
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
   return values;
 }
 
