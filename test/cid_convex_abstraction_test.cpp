@@ -199,8 +199,13 @@ TEST(CIDConvexAbstraction, TreeAgreesWithTheOracle)
   abstraction.setGroupSampleSize(1000);
   std::vector<pcl::PointIndices> parts;
   abstraction.segment(parts);
-  expectAgreesWithAlgorithm2(
-      abstraction.getMergeTree(), points, points, abstraction.getProposal().group, 30);
+  GroupMergingOptions options;
+  options.samples = abstraction.getNumberOfSamples();
+  expectAgreesWithAlgorithm2(abstraction.getMergeTree(),
+                             points,
+                             points,
+                             abstraction.getProposal().group,
+                             options);
 }
 
 TEST(CIDConvexAbstraction, SubsampleStillPutsEveryPointIntoAPart)

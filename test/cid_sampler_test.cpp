@@ -40,6 +40,13 @@ samplerFor(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, int seeds)
   return sampler;
 }
 
+/** The settings of samplerFor(). */
+const SeedProposalOptions as_sampled = [] {
+  SeedProposalOptions options;
+  options.samples = 30;
+  return options;
+}();
+
 pcl::Indices
 sampled(Sampler& sampler)
 {
@@ -55,7 +62,8 @@ TEST(CIDSampler, AgreesWithTheOracle)
     const pcl::Indices seeds = sampled(sampler);
     EXPECT_EQ(seeds.size(), 7u);
     EXPECT_EQ(sampler.getProposal().seeds, seeds);
-    expectAgreesWithAlgorithm1(sampler.getProposal(), cloud.points, cloud.points, 30);
+    expectAgreesWithAlgorithm1(
+        sampler.getProposal(), cloud.points, cloud.points, as_sampled);
     expectTraversalInvariants(sampler.getProposal(), cloud.points.size());
   }
 }
@@ -142,7 +150,7 @@ TEST(CIDSampler, SearchSurfaceIsWhatDistancesAreMeasuredTo)
   Sampler sampler = samplerFor(toCloud(points), 6);
   sampler.setSearchSurface(toCloud(surface));
   sampled(sampler);
-  expectAgreesWithAlgorithm1(sampler.getProposal(), surface, points, 30);
+  expectAgreesWithAlgorithm1(sampler.getProposal(), surface, points, as_sampled);
 }
 
 TEST(CIDSampler, SearchMethodChangesNothing)

@@ -10,6 +10,7 @@
 #include "block_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pcl_cid {
@@ -47,23 +48,23 @@ areSurface(const Points& points,
 
 BlockGroups::BlockGroups(const DistanceField& field,
                          const Points& points,
-                         int samples,
-                         const ExecutionOptions& execution,
+                         const GroupingOptions& options,
                          Progress& progress)
 : field_(field)
 , grid_(field.grid())
-, threads_(threadCount(execution.threads))
+, threads_(threadCount(options.execution.threads))
 , own_tree_(areSurface(points, field, threads_, progress)
                 ? nullptr
                 : std::make_unique<BlockTree>(points, threads_, progress))
 , tree_(own_tree_ ? *own_tree_ : field.blocks())
-, order_(samples)
+, costs_(options.costs, tree_, threads_, progress)
+, order_(options.samples)
 , progress_(progress)
 , states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0, 0})
 , rivals_(tree_.size())
 , upper_(2 * tree_.size(), infinity)
 , slot_of_point_(points.size())
-, barred_(states_.size(), 0)
+, marks_(states_.size(), 0)
 {
   parallelFor(tree_.size(), 256, threads_, progress, {}, [&](auto begin, auto end) {
     for (std::size_t b = begin; b < end; ++b)
@@ -71,13 +72,22 @@ BlockGroups::BlockGroups(const DistanceField& field,
         slot_of_point_[static_cast<std::size_t>(tree_.block(b).index[row])] =
             static_cast<std::int32_t>(slotOf(b, row));
   });
+  mark(options.isolated, isolated);
+}
+
+void
+BlockGroups::mark(const pcl::Indices& points, std::uint8_t marks)
+{
+  for (const pcl::index_t point : points)
+    marks_[static_cast<std::size_t>(slot_of_point_[static_cast<std::size_t>(point)])] =
+        marks;
 }
 
 void
 BlockGroups::restore(const SeedProposal& proposal)
 {
   for (const pcl::index_t seed : proposal.seeds)
-    seeds_.push_back(tree_.position(slot_of_point_[static_cast<std::size_t>(seed)]));
+    seeds_.push_back(seedAt(seed));
   const auto all = static_cast<std::int32_t>(seeds_.size());
   for (std::size_t i = 0; i < slot_of_point_.size(); ++i)
     states_[static_cast<std::size_t>(slot_of_point_[i])] = {
@@ -95,17 +105,17 @@ BlockGroups::restore(const SeedProposal& proposal)
 void
 BlockGroups::setCandidates(const pcl::Indices& candidates)
 {
-  std::fill(barred_.begin(), barred_.end(), 1);
+  for (std::uint8_t& marks : marks_)
+    marks |= barred;
   for (const pcl::index_t candidate : candidates)
-    barred_[static_cast<std::size_t>(
-        slot_of_point_[static_cast<std::size_t>(candidate)])] = 0;
+    marks_[static_cast<std::size_t>(
+        slot_of_point_[static_cast<std::size_t>(candidate)])] &= isolated;
 }
 
 void
 BlockGroups::addSeed(pcl::index_t seed, ProgressSpan span)
 {
-  const Eigen::Vector3f s =
-      tree_.position(slot_of_point_[static_cast<std::size_t>(seed)]);
+  const Seed s = seedAt(seed);
   seeds_.push_back(s);
   std::size_t subtrees = 1;
   while (2 * subtrees <= std::min(tree_.size(), most_subtrees))
@@ -122,16 +132,15 @@ BlockGroups::addSeed(pcl::index_t seed, ProgressSpan span)
 /** Whether the seed has lost every point below a node.
  *  \param[in,out] hint the sample to try first, and the one that came nearest to it */
 bool
-BlockGroups::compareNode(std::size_t node,
-                         const Eigen::Vector3f& seed,
-                         std::size_t& hint) const
+BlockGroups::compareNode(std::size_t node, const Seed& seed, std::size_t& hint) const
 {
   const float worst = upper_[node];
   const Eigen::Vector3f centre = tree_.box(node).centre();
   const float radius = tree_.box(node).radius();
-  if (worst == infinity || 2.0f * radius > (centre - seed).norm())
+  if (worst == infinity || 2.0f * radius > (centre - seed.position).norm())
     return false; // too coarse to tell
-  const SegmentSamples segment(seed, centre, order_.samples());
+  const PairCost least = costs_.least(node, seed.index);
+  const SegmentSamples segment(seed.position, centre, order_.samples());
   float largest = -infinity;
   std::size_t largest_at = hint;
   const auto loses = [&](std::size_t l) {
@@ -141,7 +150,7 @@ BlockGroups::compareNode(std::size_t node,
       largest = low;
       largest_at = l;
     }
-    return low >= worst;
+    return least.of(low) >= worst;
   };
   if (loses(hint))
     return true;
@@ -154,9 +163,7 @@ BlockGroups::compareNode(std::size_t node,
 }
 
 void
-BlockGroups::compareBelow(std::size_t node,
-                          const Eigen::Vector3f& seed,
-                          std::size_t hint)
+BlockGroups::compareBelow(std::size_t node, const Seed& seed, std::size_t hint)
 {
   if (tree_.isBlock(node)) {
     compareBlock(node, seed, hint);
@@ -170,14 +177,13 @@ BlockGroups::compareBelow(std::size_t node,
 }
 
 void
-BlockGroups::compareBlock(std::size_t node,
-                          const Eigen::Vector3f& seed,
-                          std::size_t hint)
+BlockGroups::compareBlock(std::size_t node, const Seed& seed, std::size_t hint)
 {
   const float worst = upper_[node];
   const Eigen::Vector3f centre = tree_.box(node).centre();
   const float radius = tree_.box(node).radius();
-  const SegmentSamples segment(seed, centre, order_.samples());
+  const PairCost least = costs_.least(node, seed.index);
+  const SegmentSamples segment(seed.position, centre, order_.samples());
   thread_local std::vector<float> high;
   high.resize(order_.last() + 1);
   Rival rival{static_cast<std::int32_t>(seeds_.size()) - 1, 0.0f, 0.0f, hint};
@@ -190,7 +196,7 @@ BlockGroups::compareBlock(std::size_t node,
       rival.hint = l;
     }
     rival.high = std::max(rival.high, d.high + reach);
-    return rival.low >= worst;
+    return least.of(rival.low) >= worst;
   };
   if (loses(hint) || loses(0) || loses(order_.last()))
     return;
@@ -202,6 +208,8 @@ BlockGroups::compareBlock(std::size_t node,
         return;
     }
 
+  rival.low = least.of(rival.low);
+  rival.high = costs_.most(node, seed.index).of(rival.high);
   upper_[node] = std::min(worst, rival.high);
   std::vector<Rival>& rivals = rivals_[node - tree_.size()];
   const auto beaten = [limit = upper_[node]](const Rival& r) { return r.low > limit; };
@@ -226,14 +234,22 @@ BlockGroups::updateAbove(std::size_t node)
 bool
 BlockGroups::gains(std::size_t b, int row) const
 {
-  return states_[slotOf(b, row)].cid > field_.distance(tree_.block(b).point(row));
+  const Target point = target(b, row);
+  return states_[slotOf(b, row)].cid >
+         costs_.between(point.index, point.index).of(field_.distance(point.position));
 }
 
-/** The point of a block with the largest D_min, if that is at least \a floor. */
+/** The point of a block with the largest D_min, or product of that and its factor of a
+ *  draw, if that is at least \a floor. */
 BlockGroups::Farthest
-BlockGroups::settle(std::size_t b, float floor, Among among)
+BlockGroups::settle(std::size_t b, float floor, const Query& query)
 {
   const PointBlock& block = tree_.block(b);
+  const int left_out = query.seeds ? isolated | barred : isolated;
+  std::array<float, PointBlock::capacity> factor;
+  for (int row = 0; row < block.count; ++row)
+    factor[static_cast<std::size_t>(row)] =
+        query.draw ? query.draw->factor(target(b, row).index) : 1.0f;
   float& upper = upper_[tree_.nodeOfBlock(b)];
   for (;;) {
     float largest = -1.0f;
@@ -242,11 +258,12 @@ BlockGroups::settle(std::size_t b, float floor, Among among)
     for (int row = 0; row < block.count; ++row) {
       const State& state = states_[slotOf(b, row)];
       overall = std::max(overall, state.high);
-      if (among == Among::seeds && barred_[slotOf(b, row)])
+      if (marks_[slotOf(b, row)] & left_out)
         continue;
-      const bool tied = state.high == largest && block.index[row] < block.index[best];
-      if (state.high > largest || tied) {
-        largest = state.high;
+      const float value = state.high * factor[static_cast<std::size_t>(row)];
+      const bool tied = value == largest && block.index[row] < block.index[best];
+      if (value > largest || tied) {
+        largest = value;
         best = row;
       }
     }
@@ -256,11 +273,13 @@ BlockGroups::settle(std::size_t b, float floor, Among among)
     State& state = states_[slotOf(b, best)];
     if (state.decided < static_cast<std::int32_t>(seeds_.size())) {
       std::vector<Contender>& open = contenders(b, state);
-      if (!fallsShort(block.point(best), floor, open, state))
-        decide(block.point(best), true, open, state);
+      const float least =
+          PairCost{factor[static_cast<std::size_t>(best)]}.cidBelow(floor);
+      if (!fallsShort(target(b, best), least, open, state))
+        decide(target(b, best), true, open, state);
     }
-    else if (among == Among::seeds && !gains(b, best))
-      barred_[slotOf(b, best)] = 1;
+    else if (query.seeds && !gains(b, best))
+      marks_[slotOf(b, best)] |= barred;
     else
       return {largest, block.index[best]};
   }
@@ -292,34 +311,37 @@ BlockGroups::blocksAbove(float floor) const
 }
 
 BlockGroups::Farthest
-BlockGroups::argmax(Among among, ProgressSpan span)
+BlockGroups::argmax(const Query& query, ProgressSpan span)
 {
+  const float most = query.draw ? SoftDraw::largest_factor : 1.0f;
   // A few of the most promising blocks give a value that most others fall short of.
   Farthest best;
   const auto take = [&best](const Farthest& found) {
-    if (found.cid > best.cid || (found.cid == best.cid && found.point < best.point))
+    const bool tied = found.value == best.value && found.point < best.point;
+    if (found.value > best.value || tied)
       best = found;
   };
   std::size_t node = 1;
   while (!tree_.isBlock(node))
     node = upper_[2 * node] >= upper_[2 * node + 1] ? 2 * node : 2 * node + 1;
-  take(settle(node - tree_.size(), 0.0f, among));
+  take(settle(node - tree_.size(), 0.0f, query));
   updateAbove(node);
 
-  const std::vector<std::size_t> blocks = blocksAbove(std::max(best.cid, 0.0f));
+  const std::vector<std::size_t> blocks =
+      blocksAbove(std::max(best.value, 0.0f) / most);
   std::vector<Farthest> found(blocks.size());
-  std::atomic<float> reached{std::max(best.cid, 0.0f)};
+  std::atomic<float> reached{std::max(best.value, 0.0f)};
   const int team = blocks.size() < 16 ? 1 : threads_;
   parallelFor(
       blocks.size(), 1, team, progress_, span, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const float floor = reached;
-          if (upper_[tree_.nodeOfBlock(blocks[k])] < floor)
+          if (upper_[tree_.nodeOfBlock(blocks[k])] < floor / most)
             continue;
-          found[k] = settle(blocks[k], floor, among);
+          found[k] = settle(blocks[k], floor, query);
           float so_far = reached;
-          while (found[k].cid > so_far &&
-                 !reached.compare_exchange_weak(so_far, found[k].cid))
+          while (found[k].value > so_far &&
+                 !reached.compare_exchange_weak(so_far, found[k].value))
             ;
         }
       });
@@ -333,13 +355,19 @@ BlockGroups::argmax(Among among, ProgressSpan span)
 float
 BlockGroups::coverage(ProgressSpan span)
 {
-  return argmax(Among::all, span).cid;
+  return argmax({false}, span).value;
 }
 
 BlockGroups::Farthest
 BlockGroups::farthest(ProgressSpan span)
 {
-  return argmax(Among::seeds, span);
+  return argmax({true}, span);
+}
+
+BlockGroups::Farthest
+BlockGroups::draw(const SoftDraw& draw, ProgressSpan span)
+{
+  return argmax({true, &draw}, span);
 }
 
 void
@@ -353,7 +381,7 @@ BlockGroups::finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal)
         const PointBlock& block = tree_.block(b);
         State& state = states_[slotOf(b, row)];
         if (state.decided < static_cast<std::int32_t>(seeds_.size()))
-          decide(block.point(row), keep_cid, contenders(b, state), state);
+          decide(target(b, row), keep_cid, contenders(b, state), state);
         const auto i = static_cast<std::size_t>(block.index[row]);
         proposal.group[i] = state.group;
         if (keep_cid)

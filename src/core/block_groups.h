@@ -11,8 +11,10 @@
 
 #include "block_tree.h"
 #include "distance_grid.h"
+#include "node_costs.h"
 #include "parallel_for.h"
 #include "segment_search.h"
+#include <pcl_cid/core/soft_draw.h>
 
 #include <pcl_cid/core/seed_proposal.h>
 
@@ -23,7 +25,8 @@
 namespace pcl_cid {
 
 /** \brief D_min of Algorithm 1 and its argument for every point: exactly what comparing
- *  all pairs would give, with most pairs never looked at.
+ *  all pairs would give, with most pairs never looked at. Where pairs have a cost, that
+ *  stands in the place of the CID throughout: it never falls when the CID grows.
  *
  *  A new seed is first compared with whole blocks of points, down a tree of blocks. For
  *  a point p within R of the centre c of its block, sample l of the segment from the
@@ -40,8 +43,7 @@ public:
   /** \param[in] points the points that are grouped; often those of the surface */
   BlockGroups(const DistanceField& field,
               const Points& points,
-              int samples,
-              const ExecutionOptions& execution,
+              const GroupingOptions& options,
               Progress& progress);
 
   /** \brief Go on from what an earlier run decided. */
@@ -58,11 +60,11 @@ public:
   addSeed(pcl::index_t seed, ProgressSpan span);
 
   struct Farthest {
-    float cid = -1.0f;
+    float value = -1.0f;     ///< D_min, times the factor of a draw
     pcl::index_t point = -1; ///< -1: there is none
   };
 
-  /** \brief r_k, the largest D_min of all points. */
+  /** \brief r_k, the largest D_min of all points that are not isolated. */
   float
   coverage(ProgressSpan span);
 
@@ -70,6 +72,10 @@ public:
    *  index of equal ones. */
   Farthest
   farthest(ProgressSpan span);
+
+  /** \brief One of these points at random, by the soft rule. */
+  Farthest
+  draw(const SoftDraw& draw, ProgressSpan span);
 
   /** \brief Decide every point.
    *  \param[in] keep_cid also the exact CIDs, which costs more
@@ -80,7 +86,7 @@ public:
 private:
   struct Rival {
     std::int32_t number; ///< of the seed
-    float low;           ///< no point of the block has a smaller CID to it
+    float low;           ///< no point of the block has a smaller cost to it
     float high;          ///< nor a larger one
     std::size_t hint;    ///< the sample of the segments that is farthest, about
   };
@@ -97,8 +103,8 @@ private:
   /** A seed that a point may belong to. */
   struct Contender {
     std::int32_t number; ///< of the seed
-    float low;           ///< at most the CID of the two
-    bool settled;        ///< it is the CID, or enough is known without it
+    float low;           ///< at most the cost of the two
+    bool settled;        ///< it is the cost, or enough is known without it
     Rival* rival;        ///< null for the seed that the point belonged to so far
 
     /** The smaller CID wins; at equal CID the earlier seed. */
@@ -109,8 +115,23 @@ private:
     }
   };
 
-  /** Whom an argmax asks for. */
-  enum class Among { all, seeds };
+  /** A point that is compared. */
+  struct Target {
+    Eigen::Vector3f position;
+    std::size_t index; ///< among the points
+  };
+
+  /** A seed: the same. */
+  using Seed = Target;
+
+  /** What an argmax is of. */
+  struct Query {
+    bool seeds; ///< the points that may become seeds; else those that count in r_k
+    const SoftDraw* draw = nullptr; ///< whose factors D_min is multiplied by
+  };
+
+  /** What a point is left out of. */
+  enum Mark : std::uint8_t { isolated = 1, barred = 2 };
 
   std::size_t
   slotOf(std::size_t block, int row) const
@@ -118,14 +139,31 @@ private:
     return block * PointBlock::capacity + static_cast<std::size_t>(row);
   }
 
+  Target
+  target(std::size_t block, int row) const
+  {
+    return {tree_.block(block).point(row),
+            static_cast<std::size_t>(tree_.block(block).index[row])};
+  }
+
+  Seed
+  seedAt(pcl::index_t point) const
+  {
+    const auto index = static_cast<std::size_t>(point);
+    return {tree_.position(slot_of_point_[index]), index};
+  }
+
+  void
+  mark(const pcl::Indices& points, std::uint8_t marks);
+
   bool
-  compareNode(std::size_t node, const Eigen::Vector3f& seed, std::size_t& hint) const;
+  compareNode(std::size_t node, const Seed& seed, std::size_t& hint) const;
 
   void
-  compareBlock(std::size_t node, const Eigen::Vector3f& seed, std::size_t hint);
+  compareBlock(std::size_t node, const Seed& seed, std::size_t hint);
 
   void
-  compareBelow(std::size_t node, const Eigen::Vector3f& seed, std::size_t hint);
+  compareBelow(std::size_t node, const Seed& seed, std::size_t hint);
 
   void
   updateAbove(std::size_t node);
@@ -134,25 +172,40 @@ private:
   contenders(std::size_t block, const State& state);
 
   bool
-  fallsShort(const Eigen::Vector3f& point,
+  fallsShort(const Target& point,
              float floor,
              std::vector<Contender>& open,
              State& state);
 
+  const Seed&
+  seedOf(const Contender& contender) const
+  {
+    return seeds_[static_cast<std::size_t>(contender.number)];
+  }
+
+  PairCost
+  costOf(const Contender& contender, const Target& point) const
+  {
+    return costs_.between(seedOf(contender).index, point.index);
+  }
+
   Segment
-  segmentTo(const Contender& contender, const Eigen::Vector3f& point) const;
+  segmentTo(const Contender& contender, const Target& point) const
+  {
+    return {seedOf(contender).position, point.position, !own_tree_};
+  }
 
   float
-  boundAtHint(const Contender& contender, const Eigen::Vector3f& point) const;
+  boundAtHint(const Contender& contender, const Target& point) const;
 
   float
   compare(const Contender& contender,
-          const Eigen::Vector3f& point,
+          const Target& point,
           float limit,
           bool keep_cid) const;
 
   void
-  decide(const Eigen::Vector3f& point,
+  decide(const Target& point,
          bool keep_cid,
          std::vector<Contender>& open,
          State& state);
@@ -164,27 +217,28 @@ private:
   gains(std::size_t block, int row) const;
 
   Farthest
-  settle(std::size_t block, float floor, Among among);
+  settle(std::size_t block, float floor, const Query& query);
 
   std::vector<std::size_t>
   blocksAbove(float floor) const;
 
   Farthest
-  argmax(Among among, ProgressSpan span);
+  argmax(const Query& query, ProgressSpan span);
 
   const DistanceField& field_;
   const DistanceGrid& grid_;
   int threads_;
   std::unique_ptr<BlockTree> own_tree_; ///< of points that are not the surface
   const BlockTree& tree_;
+  NodeCosts costs_;
   SampleOrder order_;
   Progress& progress_;
-  Points seeds_;
+  std::vector<Seed> seeds_;
   std::vector<State> states_;              ///< by slot
   std::vector<std::vector<Rival>> rivals_; ///< by block
   std::vector<float> upper_; ///< by node: at least D_min of each of its points
   std::vector<std::int32_t> slot_of_point_;
-  std::vector<std::uint8_t> barred_; ///< by slot: cannot become a seed
+  std::vector<std::uint8_t> marks_; ///< by slot: of Mark
 };
 
 } // namespace pcl_cid

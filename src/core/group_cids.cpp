@@ -10,10 +10,10 @@
 #include "group_cids.h"
 
 #include "distance_grid.h"
-
-#include <pcl_cid/core/concavity.h>
+#include "segment_search.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pcl_cid {
@@ -21,6 +21,8 @@ namespace {
 
 /** The share of the progress that the rough bounds take. */
 constexpr double bounds_share = 0.05;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 } // namespace
 
@@ -35,11 +37,14 @@ constexpr GroupCIDs::Effort GroupCIDs::rough = {1, false};
 constexpr GroupCIDs::Effort GroupCIDs::good = {4, true};
 
 GroupCIDs::GroupCIDs(const DistanceField& field,
-                     std::vector<Points> drawn,
+                     const Points& points,
+                     std::vector<pcl::Indices> drawn,
                      const GroupMergingOptions& options,
                      Progress& progress)
 : field_(field)
+, points_(points)
 , drawn_(std::move(drawn))
+, costs_(options.costs)
 , order_(options.samples)
 , threads_(threadCount(options.execution.threads))
 , progress_(progress)
@@ -96,23 +101,37 @@ GroupCIDs::tighten(Pair pair)
 void
 GroupCIDs::evaluate(Pair pair)
 {
-  values_[place(pair)] =
-      groupCID(field_, drawn_[pair.i], drawn_[pair.j], order_.samples());
+  std::size_t hint = order_.last() / 2;
+  values_[place(pair)] = meanOf(pair, [&](pcl::index_t p, pcl::index_t q) {
+    const Segment segment{position(p), position(q), false};
+    return costOf(p, q).of(pointCID(field_, segment, order_, infinity, hint));
+  });
   known_[place(pair)] = Known::exactly;
 }
 
-/** Eq. 3 with, for each pair of points, a certified lower bound of d at a sample that
+/** Eq. 3 of what each pair of points costs. */
+template <typename CostOfTwo>
+double
+GroupCIDs::meanOf(Pair pair, CostOfTwo costOfTwo) const
+{
+  double sum = 0.0;
+  for (const pcl::index_t p : drawn_[pair.i])
+    for (const pcl::index_t q : drawn_[pair.j])
+      sum += costOfTwo(p, q);
+  return sum / (static_cast<double>(drawn_[pair.i].size()) *
+                static_cast<double>(drawn_[pair.j].size()));
+}
+
+/** The mean of, for each pair of points, a certified lower bound of d at a sample that
  *  is far from the surface. Summed in the same order as the exact value, which rounding
  *  then keeps above it. */
 double
 GroupCIDs::lowerBound(Pair pair, const Effort& effort) const
 {
-  double sum = 0.0;
-  for (const Eigen::Vector3f& p : drawn_[pair.i])
-    for (const Eigen::Vector3f& q : drawn_[pair.j])
-      sum += lowerBound(SegmentSamples(p, q, order_.samples()), effort);
-  return sum / (static_cast<double>(drawn_[pair.i].size()) *
-                static_cast<double>(drawn_[pair.j].size()));
+  return meanOf(pair, [&](pcl::index_t p, pcl::index_t q) {
+    const SegmentSamples segment(position(p), position(q), order_.samples());
+    return costOf(p, q).of(lowerBound(segment, effort));
+  });
 }
 
 float

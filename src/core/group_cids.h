@@ -28,9 +28,11 @@ public:
     std::size_t j; ///< above i
   };
 
-  /** \param[in] drawn points of each group */
+  /** \param[in] points all points
+   *  \param[in] drawn some of each group, indices */
   GroupCIDs(const DistanceField& field,
-            std::vector<Points> drawn,
+            const Points& points,
+            std::vector<pcl::Indices> drawn,
             const GroupMergingOptions& options,
             Progress& progress);
 
@@ -67,6 +69,10 @@ private:
   void
   evaluate(Pair pair);
 
+  template <typename CostOfTwo>
+  double
+  meanOf(Pair pair, CostOfTwo costOfTwo) const;
+
   struct Effort;
   static const Effort rough;
   static const Effort good;
@@ -77,11 +83,27 @@ private:
   float
   lowerBound(const SegmentSamples& segment, const Effort& effort) const;
 
+  PairCost
+  costOf(pcl::index_t p, pcl::index_t q) const
+  {
+    return costs_ ? costs_->between(static_cast<std::size_t>(p),
+                                    static_cast<std::size_t>(q))
+                  : PairCost();
+  }
+
+  const Eigen::Vector3f&
+  position(pcl::index_t p) const
+  {
+    return points_[static_cast<std::size_t>(p)];
+  }
+
   ProgressSpan
   share() const;
 
   const DistanceField& field_;
-  std::vector<Points> drawn_;
+  const Points& points_;
+  std::vector<pcl::Indices> drawn_;
+  const PairCosts* costs_;
   SampleOrder order_;
   int threads_;
   Progress& progress_;

@@ -42,32 +42,30 @@ membersOfGroups(const std::vector<pcl::index_t>& group, std::size_t groups)
 }
 
 /** One point from each of \a count runs of equal length, or all of them. */
-Points
-stratifiedDraw(const Points& points,
-               const pcl::Indices& members,
+pcl::Indices
+stratifiedDraw(const pcl::Indices& members,
                std::size_t count,
                RandomGenerator& generator)
 {
-  Points drawn;
+  pcl::Indices drawn;
   const std::size_t runs = std::min(count, members.size());
   for (std::size_t run = 0; run < runs; ++run) {
     const std::size_t begin = run * members.size() / runs;
     const std::size_t end = (run + 1) * members.size() / runs;
     const std::size_t chosen = begin + drawBelow(generator, end - begin);
-    drawn.push_back(points[static_cast<std::size_t>(members[chosen])]);
+    drawn.push_back(members[chosen]);
   }
   return drawn;
 }
 
-std::vector<Points>
-drawFromGroups(const Points& points,
-               const std::vector<pcl::Indices>& members,
+std::vector<pcl::Indices>
+drawFromGroups(const std::vector<pcl::Indices>& members,
                const GroupMergingOptions& options)
 {
   RandomGenerator generator(options.random_seed);
-  std::vector<Points> drawn;
+  std::vector<pcl::Indices> drawn;
   for (const pcl::Indices& group : members)
-    drawn.push_back(stratifiedDraw(points, group, options.group_samples, generator));
+    drawn.push_back(stratifiedDraw(group, options.group_samples, generator));
   return drawn;
 }
 
@@ -297,6 +295,8 @@ mergeGroups(const DistanceField& field,
 {
   requirePoints(points);
   requireSamples(options.samples);
+  if (options.costs)
+    requireCosts(*options.costs, points.size());
   requireAtLeast("number of samples of a group", options.group_samples, std::size_t{1});
   requireAtLeast("number of parts to stop at", options.stop_at_parts, std::size_t{1});
   if (!(options.stop_at_height >= 0.0))
@@ -309,7 +309,7 @@ mergeGroups(const DistanceField& field,
     sizes.push_back(of_group.size());
 
   Progress progress(options.execution.progress);
-  GroupCIDs cids(field, drawFromGroups(points, members, options), options, progress);
+  GroupCIDs cids(field, points, drawFromGroups(members, options), options, progress);
   AverageLinkage linkage(cids, sizes);
   std::vector<MergeStep> steps =
       linkage.run(options.stop_at_parts, options.stop_at_height);

@@ -44,7 +44,7 @@ BlockGroups::contenders(std::size_t b, const State& state)
 /** Whether some seed brings D_min of a point below a floor; its upper bound then takes
  *  all seeds into account. */
 bool
-BlockGroups::fallsShort(const Eigen::Vector3f& point,
+BlockGroups::fallsShort(const Target& point,
                         float floor,
                         std::vector<Contender>& open,
                         State& state)
@@ -56,13 +56,14 @@ BlockGroups::fallsShort(const Eigen::Vector3f& point,
       break;
     if (contender.settled)
       high = contender.low;
-    else if (contender.number >= state.bounded)
-      high = std::min(high,
-                      boundPointCID(field_,
-                                    segmentTo(contender, point),
-                                    order_,
-                                    high,
-                                    contender.rival->hint));
+    else if (contender.number >= state.bounded) {
+      const PairCost cost = costOf(contender, point);
+      const float below = cost.cidBelow(high);
+      const float cid = boundPointCID(
+          field_, segmentTo(contender, point), order_, below, contender.rival->hint);
+      if (cid < below)
+        high = cost.of(cid);
+    }
   }
   state.bounded = static_cast<std::int32_t>(seeds_.size());
   state.high = std::min(state.high, high);
@@ -76,7 +77,7 @@ BlockGroups::fallsShort(const Eigen::Vector3f& point,
  *  far.
  *  \param[in] keep_cid else the winner's CID may be left at a lower bound */
 void
-BlockGroups::decide(const Eigen::Vector3f& point,
+BlockGroups::decide(const Target& point,
                     bool keep_cid,
                     std::vector<Contender>& open,
                     State& state)
@@ -117,36 +118,37 @@ BlockGroups::limitFor(const Contender& first,
   return first.number < best->number ? std::nextafter(best->low, infinity) : best->low;
 }
 
-Segment
-BlockGroups::segmentTo(const Contender& contender, const Eigen::Vector3f& point) const
-{
-  return {seeds_[static_cast<std::size_t>(contender.number)], point, !own_tree_};
-}
-
-/** A lower bound of the CID to a contender, from one look. */
+/** A lower bound of the cost to a contender, from one look. */
 float
-BlockGroups::boundAtHint(const Contender& contender, const Eigen::Vector3f& point) const
+BlockGroups::boundAtHint(const Contender& contender, const Target& point) const
 {
   const SegmentSamples samples(
-      seeds_[static_cast<std::size_t>(contender.number)], point, order_.samples());
-  return grid_.bounds(samples.at(contender.rival->hint)).low - samples.slack;
+      seedOf(contender).position, point.position, order_.samples());
+  const float low = grid_.bounds(samples.at(contender.rival->hint)).low - samples.slack;
+  return costOf(contender, point).of(std::max(low, 0.0f));
 }
 
-/** The CID to a contender, or a lower bound of it that is at least \a limit; without \a
- *  keep_cid, 0 for a CID below the limit. */
+/** The cost to a contender, or a lower bound of it that is at least \a limit; without
+ *  \a keep_cid, anything below the limit for a cost below it. */
 float
 BlockGroups::compare(const Contender& contender,
-                     const Eigen::Vector3f& point,
+                     const Target& point,
                      float limit,
                      bool keep_cid) const
 {
-  const Segment segment = segmentTo(contender, point);
-  std::size_t& hint = contender.rival->hint;
-  if (keep_cid)
-    return pointCID(field_, segment, order_, limit, hint);
-  if (limit == infinity)
+  if (limit == infinity && !keep_cid)
     return 0.0f;
-  return findCIDAtLeast(field_, segment, order_, limit, hint).value_or(0.0f);
+  const Segment segment = segmentTo(contender, point);
+  const PairCost cost = costOf(contender, point);
+  std::size_t& hint = contender.rival->hint;
+  const float below = cost.cidBelow(limit);
+  const float cid =
+      keep_cid ? pointCID(field_, segment, order_, below, hint)
+               : findCIDAtLeast(field_, segment, order_, below, hint).value_or(0.0f);
+  if (cid < below || cost.of(cid) >= limit)
+    return cost.of(cid);
+  return cost.of(
+      pointCID(field_, segment, order_, infinity, hint)); // too close to tell
 }
 
 } // namespace pcl_cid

@@ -181,6 +181,19 @@ propose(const Preparation& preparation,
   return proposal;
 }
 
+SeedProposal
+group(const Preparation& preparation,
+      const CIDParameters& parameters,
+      bool keep_cid,
+      const ExecutionOptions& execution)
+{
+  const WorkingSet& working = *preparation.working;
+  return groupBySeeds(working.field(),
+                      working.points(),
+                      preparation.seeds,
+                      optionsOf(preparation, parameters, keep_cid, execution));
+}
+
 void
 extend(const Preparation& preparation,
        const CIDParameters& parameters,

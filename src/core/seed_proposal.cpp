@@ -14,6 +14,7 @@
 #include <pcl_cid/core/seed_proposal.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace pcl_cid {
@@ -28,9 +29,8 @@ class Traversal {
 public:
   Traversal(const DistanceField& field,
             const Points& points,
-            int samples,
-            const ExecutionOptions& execution)
-  : progress_(execution.progress), groups_(field, points, samples, execution, progress_)
+            const GroupingOptions& options)
+  : progress_(options.execution.progress), groups_(field, points, options, progress_)
   {
   }
 
@@ -64,9 +64,11 @@ public:
   /** "p* <- argmax D_min": the next seed, -1 when no candidate would gain by being
    *  one. */
   pcl::index_t
-  farthest()
+  next(const SeedProposalOptions& options)
   {
-    return groups_.farthest(step()).point;
+    if (options.rule == SeedingRule::farthest)
+      return groups_.farthest(step()).point;
+    return groups_.draw({options.random_seed, proposal_.seeds.size()}, step()).point;
   }
 
   const SeedProposal&
@@ -105,7 +107,7 @@ traverse(Traversal& traversal, const SeedProposalOptions& options)
 {
   while (traversal.soFar().seeds.size() < options.seeds &&       // Algorithm 1, "while"
          traversal.soFar().coverage.back() > options.coverage) { // ours
-    const pcl::index_t next = traversal.farthest();
+    const pcl::index_t next = traversal.next(options);
     if (next < 0)
       break;
     traversal.addSeed(next, options.seeds);
@@ -113,10 +115,25 @@ traverse(Traversal& traversal, const SeedProposalOptions& options)
 }
 
 void
-check(const Points& points, const SeedProposalOptions& options)
+check(const Points& points, const GroupingOptions& options)
 {
   requirePoints(points);
   requireSamples(options.samples);
+  if (options.costs)
+    requireCosts(*options.costs, points.size());
+  for (const pcl::index_t isolated : options.isolated)
+    requireIndex("isolated point", isolated, points.size());
+  const std::set<pcl::index_t> isolated(options.isolated.begin(),
+                                        options.isolated.end());
+  if (isolated.size() == points.size())
+    throw CIDException(sentence(
+        "all ", points.size(), " points are called isolated; at least 1 must not be"));
+}
+
+void
+check(const Points& points, const SeedProposalOptions& options)
+{
+  check(points, static_cast<const GroupingOptions&>(options));
   requireAtLeast("number of seeds", options.seeds, std::size_t{1});
   requireNotNegative("coverage", options.coverage, "metres");
   for (const pcl::index_t candidate : options.candidates)
@@ -124,10 +141,9 @@ check(const Points& points, const SeedProposalOptions& options)
 }
 
 void
-check(const Points& points, const pcl::Indices& seeds, int samples)
+check(const Points& points, const pcl::Indices& seeds, const GroupingOptions& options)
 {
-  requirePoints(points);
-  requireSamples(samples);
+  check(points, options);
   requireAtLeast("number of seeds", seeds.size(), std::size_t{1});
   for (const pcl::index_t seed : seeds)
     requireIndex("seed", seed, points.size());
@@ -157,7 +173,7 @@ proposeSeeds(const DistanceField& field,
 {
   check(points, options);
   requireIndex("start index", start, points.size());
-  Traversal traversal(field, points, options.samples, options.execution);
+  Traversal traversal(field, points, options);
   traversal.setCandidates(options.candidates);
   traversal.addSeed(start, options.seeds); // "S_l <- {p*}"
   traverse(traversal, options);
@@ -168,15 +184,13 @@ SeedProposal
 groupBySeeds(const DistanceField& field,
              const Points& points,
              const pcl::Indices& seeds,
-             int samples,
-             bool keep_cid,
-             const ExecutionOptions& execution)
+             const GroupingOptions& options)
 {
-  check(points, seeds, samples);
-  Traversal traversal(field, points, samples, execution);
+  check(points, seeds, options);
+  Traversal traversal(field, points, options);
   for (const pcl::index_t seed : seeds)
     traversal.addSeed(seed, seeds.size());
-  return traversal.finish(keep_cid);
+  return traversal.finish(options.keep_cid);
 }
 
 void
@@ -187,7 +201,7 @@ extendProposal(const DistanceField& field,
 {
   check(points, options);
   requireFinished(proposal, points);
-  Traversal traversal(field, points, options.samples, options.execution);
+  Traversal traversal(field, points, options);
   traversal.restore(proposal);
   traversal.setCandidates(options.candidates);
   traverse(traversal, options);
@@ -198,13 +212,12 @@ void
 addSeeds(const DistanceField& field,
          const Points& points,
          const pcl::Indices& seeds,
-         int samples,
-         const ExecutionOptions& execution,
+         const GroupingOptions& options,
          SeedProposal& proposal)
 {
-  check(points, seeds, samples);
+  check(points, seeds, options);
   requireFinished(proposal, points);
-  Traversal traversal(field, points, samples, execution);
+  Traversal traversal(field, points, options);
   traversal.restore(proposal);
   for (const pcl::index_t seed : seeds)
     traversal.addSeed(seed, proposal.seeds.size() + seeds.size());

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <pcl_cid/core/concavity.h>
+#include <pcl_cid/core/pair_cost.h>
 #include <pcl_cid/exceptions.h>
 
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -63,6 +65,27 @@ requireIndex(const char* name, pcl::index_t index, std::size_t count)
   if (index < 0 || static_cast<std::size_t>(index) >= count)
     throw CIDException(sentence(
         "the ", name, " is ", index, "; it must be 0 to ", count, " - 1 (the points)"));
+}
+
+inline void
+requireCosts(const PairCosts& costs, std::size_t points)
+{
+  if ((!costs.spacing.empty() && costs.spacing.size() != points) ||
+      (!costs.color.empty() && costs.color.size() != points))
+    throw CIDException(sentence("the costs have the spacing of ",
+                                costs.spacing.size(),
+                                " and the colour of ",
+                                costs.color.size(),
+                                " points; they must be of all ",
+                                points,
+                                " points, or of none"));
+  for (const float spacing : costs.spacing)
+    if (!(spacing > 0.0f) || !(spacing <= std::numeric_limits<float>::max()))
+      throw CIDException(sentence(
+          "the spacing of a point is ", spacing, "; it must be a number above 0"));
+  for (const Eigen::Vector3f& color : costs.color)
+    if (!color.allFinite())
+      throw CIDException("the colour of a point is not a number; it must be finite");
 }
 
 inline void

@@ -49,6 +49,7 @@ exact()
 {
   GroupMergingOptions options;
   options.group_samples = 1u << 20; // every group enters whole
+  options.samples = samples;
   return options;
 }
 
@@ -84,7 +85,7 @@ protected:
 TEST_P(MergingOfClouds, AgreesWithTheOracleThatComputesEveryGroupCIDAnew)
 {
   expectAgreesWithAlgorithm2(
-      treeOf(points_, proposal_, exact()), points_, points_, proposal_.group, samples);
+      treeOf(points_, proposal_, exact()), points_, points_, proposal_.group, exact());
 }
 
 TEST_P(MergingOfClouds, HeightsNeverFallAndSizesAddUp)
@@ -228,7 +229,7 @@ TEST(GroupMerging, AgreesWithTheOracleOnCropsOfRealScans)
     const Points points = crop(*scan, 100, 211);
     const SeedProposal proposal = groupsOf(points, 8);
     expectAgreesWithAlgorithm2(
-        treeOf(points, proposal, exact()), points, points, proposal.group, samples);
+        treeOf(points, proposal, exact()), points, points, proposal.group, exact());
   }
 }
 

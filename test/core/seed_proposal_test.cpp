@@ -32,15 +32,6 @@ optionsFor(std::size_t seeds, int samples = 40)
   return options;
 }
 
-void
-expectSame(const SeedProposal& a, const SeedProposal& b)
-{
-  EXPECT_EQ(a.seeds, b.seeds);
-  EXPECT_EQ(a.group, b.group);
-  EXPECT_EQ(a.cid, b.cid);
-  EXPECT_EQ(a.coverage, b.coverage);
-}
-
 class TraversalOfClouds : public testing::TestWithParam<NamedPoints> {
 protected:
   const Points& points_ = GetParam().points;
@@ -50,7 +41,7 @@ protected:
 TEST_P(TraversalOfClouds, AgreesWithTheOracle)
 {
   const SeedProposal proposal = proposeSeeds(field_, points_, 0, optionsFor(9));
-  expectAgreesWithAlgorithm1(proposal, points_, points_, 40);
+  expectAgreesWithAlgorithm1(proposal, points_, points_, optionsFor(9));
 }
 
 TEST_P(TraversalOfClouds, Invariants)
@@ -74,13 +65,14 @@ TEST_P(TraversalOfClouds, ExtensionEqualsOneRun)
 {
   SeedProposal extended = proposeSeeds(field_, points_, 0, optionsFor(4));
   extendProposal(field_, points_, optionsFor(11), extended);
-  expectSame(extended, proposeSeeds(field_, points_, 0, optionsFor(11)));
+  expectSameProposal(extended, proposeSeeds(field_, points_, 0, optionsFor(11)));
 }
 
 TEST_P(TraversalOfClouds, GroupingByTheSameSeedsGivesTheSameGroups)
 {
   const SeedProposal proposed = proposeSeeds(field_, points_, 0, optionsFor(8));
-  expectSame(groupBySeeds(field_, points_, proposed.seeds, 40, true, {}), proposed);
+  expectSameProposal(groupBySeeds(field_, points_, proposed.seeds, optionsFor(9)),
+                     proposed);
 }
 
 TEST_P(TraversalOfClouds, SameBytesForEveryNumberOfThreads)
@@ -90,7 +82,7 @@ TEST_P(TraversalOfClouds, SameBytesForEveryNumberOfThreads)
   const SeedProposal serial = proposeSeeds(field_, points_, 0, options);
   for (const unsigned int threads : {2u, 3u, 8u}) {
     options.execution.threads = threads;
-    expectSame(proposeSeeds(field_, points_, 0, options), serial);
+    expectSameProposal(proposeSeeds(field_, points_, 0, options), serial);
   }
 }
 
@@ -122,37 +114,9 @@ TEST(SeedProposal, AgreesWithTheOracleOnCropsOfRealScans)
     const Points points = crop(*scan, 500, 37);
     const SeedProposal proposal =
         proposeSeeds(DistanceField(points), points, 0, optionsFor(8, 50));
-    expectAgreesWithAlgorithm1(proposal, points, points, 50);
+    expectAgreesWithAlgorithm1(proposal, points, points, optionsFor(1, 50));
     expectTraversalInvariants(proposal, points.size());
   }
-}
-
-/** Algorithm 1 with the library's own pointCID() for every pair: no block, no bound. */
-SeedProposal
-proposeByAllPairs(const DistanceField& field,
-                  const Points& points,
-                  const SeedProposalOptions& options)
-{
-  SeedProposal proposal;
-  proposal.group.assign(points.size(), -1);
-  proposal.cid.assign(points.size(), INFINITY);
-  std::size_t next = 0;
-  do {
-    const auto number = static_cast<pcl::index_t>(proposal.seeds.size());
-    proposal.seeds.push_back(static_cast<pcl::index_t>(next));
-    const Eigen::Vector3f seed = points[next];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const float cid = pointCID(field, points[i], seed, options.samples);
-      if (cid < proposal.cid[i]) {
-        proposal.cid[i] = cid;
-        proposal.group[i] = number;
-      }
-    }
-    const auto largest = std::max_element(proposal.cid.begin(), proposal.cid.end());
-    next = static_cast<std::size_t>(largest - proposal.cid.begin());
-    proposal.coverage.push_back(*largest);
-  } while (proposal.seeds.size() < options.seeds && proposal.coverage.back() > 0.0f);
-  return proposal;
 }
 
 TEST(SeedProposal, EqualsAllPairsToTheBitOnLargerClouds)
@@ -166,8 +130,8 @@ TEST(SeedProposal, EqualsAllPairsToTheBitOnLargerClouds)
   for (const NamedPoints& cloud : clouds) {
     const DistanceField field(cloud.points);
     SeedProposalOptions options = optionsFor(30, 100);
-    const SeedProposal expected = proposeByAllPairs(field, cloud.points, options);
-    expectSame(proposeSeeds(field, cloud.points, 0, options), expected);
+    const SeedProposal expected = proposeByAllPairs(field, cloud.points, 0, options);
+    expectSameProposal(proposeSeeds(field, cloud.points, 0, options), expected);
     options.keep_cid = false;
     const SeedProposal groups_only = proposeSeeds(field, cloud.points, 0, options);
     EXPECT_EQ(groups_only.group, expected.group) << cloud.name;
@@ -183,8 +147,8 @@ TEST(SeedProposal, CorrectiveSeedsJoinAsIfTheyHadBeenThere)
   SeedProposal corrected = proposeSeeds(field, points, 0, optionsFor(8));
   pcl::Indices all = corrected.seeds;
   all.insert(all.end(), {17, 402, 17});
-  addSeeds(field, points, {17, 402, 17}, 40, {}, corrected);
-  expectSame(corrected, groupBySeeds(field, points, all, 40, true, {}));
+  addSeeds(field, points, {17, 402, 17}, optionsFor(9), corrected);
+  expectSameProposal(corrected, groupBySeeds(field, points, all, optionsFor(9)));
 }
 
 TEST(SeedProposal, DuplicatesNeverBecomeSeeds)
@@ -224,7 +188,7 @@ TEST(SeedProposal, PointsOffTheSurfaceBecomeSeedsOnlyWhenThatHelps)
       proposeSeeds(DistanceField(surface), points, 0, optionsFor(8, 10)),
       surface,
       points,
-      10);
+      optionsFor(8, 10));
   const std::set<pcl::index_t> distinct(proposal.seeds.begin(), proposal.seeds.end());
   EXPECT_EQ(distinct.size(), proposal.seeds.size());
   EXPECT_GT(proposal.coverage.back(), 0.0f);
@@ -246,7 +210,7 @@ TEST(SeedProposal, GivenSeedsMayRepeatAndTheEarlierKeepsThePoints)
 {
   const Points points = randomCube(100, 34);
   const SeedProposal proposal =
-      groupBySeeds(DistanceField(points), points, {7, 7, 30}, 40, true, {});
+      groupBySeeds(DistanceField(points), points, {7, 7, 30}, optionsFor(9));
   EXPECT_EQ(proposal.seeds, (pcl::Indices{7, 7, 30}));
   for (const pcl::index_t group : proposal.group)
     EXPECT_NE(group, 1);
@@ -271,7 +235,7 @@ TEST(SeedProposal, ProgressRisesAndCancelLeavesNothingBehind)
   const SeedProposal before = proposal;
   options.seeds = 40;
   EXPECT_THROW(extendProposal(field, points, options, proposal), CIDCancelled);
-  expectSame(before, proposal);
+  expectSameProposal(before, proposal);
 }
 
 TEST(SeedProposal, CallbackExceptionReachesTheCaller)
@@ -292,8 +256,8 @@ TEST(SeedProposal, RefusesBadValues)
   EXPECT_THROW(proposeSeeds(field, points, 10, optionsFor(3)), CIDException);
   EXPECT_THROW(proposeSeeds(field, points, 0, optionsFor(0)), CIDException);
   EXPECT_THROW(proposeSeeds(field, points, 0, optionsFor(3, 1)), CIDException);
-  EXPECT_THROW(groupBySeeds(field, points, {}, 40, true, {}), CIDException);
-  EXPECT_THROW(groupBySeeds(field, points, {10}, 40, true, {}), CIDException);
+  EXPECT_THROW(groupBySeeds(field, points, {}, optionsFor(9)), CIDException);
+  EXPECT_THROW(groupBySeeds(field, points, {10}, optionsFor(9)), CIDException);
   for (const float coverage : {-0.1f, NAN, INFINITY}) {
     SeedProposalOptions options = optionsFor(3);
     options.coverage = coverage;

@@ -9,6 +9,10 @@
 
 #include "oracle.h"
 
+#include <pcl_cid/core/soft_draw.h>
+
+#include <pcl_cid/core/concavity.h>
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -66,14 +70,70 @@ Oracle::groupCID(const Points& first, const Points& second) const
   return sum / static_cast<double>(first.size() * second.size());
 }
 
+double
+Oracle::pointCost(const Points& points,
+                  std::size_t p,
+                  std::size_t q,
+                  const PairCosts* costs) const
+{
+  double cost = pointCID(points[p], points[q]);
+  if (costs && !costs->spacing.empty())
+    cost *= 2.0 / (static_cast<double>(costs->spacing[p]) +
+                   static_cast<double>(costs->spacing[q]));
+  if (costs && !costs->color.empty())
+    cost += (costs->color[p].cast<double>() - costs->color[q].cast<double>()).norm();
+  return cost;
+}
+
+namespace {
+
+/** Where rounding may decide between two costs. */
+double
+toleranceOfCosts(const Points& surface, const PairCosts* costs)
+{
+  double tolerance = agreementTolerance(surface);
+  if (costs && !costs->spacing.empty()) {
+    const auto least = std::min_element(costs->spacing.begin(), costs->spacing.end());
+    tolerance *= std::max(1.0, 1.0 / static_cast<double>(*least));
+  }
+  return costs ? tolerance + agreementTolerance(costs->color) : tolerance;
+}
+
+/** D_min of each point, times its factor where the k-th seed is drawn; less than
+ *  nothing for isolated points. */
+template <typename Number>
+std::vector<Number>
+chances(const std::vector<Number>& nearest,
+        const SeedProposalOptions& options,
+        std::size_t k)
+{
+  std::vector<Number> chance = nearest;
+  const SoftDraw draw(options.random_seed, k);
+  if (options.rule == SeedingRule::soft)
+    for (std::size_t i = 0; i < chance.size(); ++i)
+      chance[i] *= static_cast<Number>(draw.factor(i));
+  for (const pcl::index_t isolated : options.isolated)
+    chance[static_cast<std::size_t>(isolated)] = Number{-1};
+  return chance;
+}
+
+SeedProposalOptions
+withoutDraws(SeedProposalOptions options)
+{
+  options.rule = SeedingRule::farthest;
+  return options;
+}
+
+} // namespace
+
 void
 expectAgreesWithAlgorithm1(const SeedProposal& proposal,
                            const Points& surface,
                            const Points& points,
-                           int samples)
+                           const SeedProposalOptions& options)
 {
-  const Oracle oracle(surface, samples);
-  const double tolerance = agreementTolerance(surface);
+  const Oracle oracle(surface, options.samples);
+  const double tolerance = toleranceOfCosts(surface, options.costs);
   ASSERT_EQ(proposal.group.size(), points.size());
   ASSERT_EQ(proposal.cid.size(), points.size());
   std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
@@ -81,17 +141,20 @@ expectAgreesWithAlgorithm1(const SeedProposal& proposal,
   for (std::size_t k = 0; k < proposal.seeds.size(); ++k) {
     const auto seed = static_cast<std::size_t>(proposal.seeds[k]);
     if (k > 0) {
-      const double farthest = *std::max_element(nearest.begin(), nearest.end());
-      EXPECT_GE(nearest[seed], farthest - tolerance) << "seed " << k;
+      const std::vector<double> chance = chances(nearest, options, k);
+      const double largest = *std::max_element(chance.begin(), chance.end());
+      EXPECT_GE(chance[seed], largest - tolerance * SoftDraw::largest_factor)
+          << "seed " << k;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double cid = oracle.pointCID(points[i], points[seed]);
+      const double cid = oracle.pointCost(points, i, seed, options.costs);
       nearest[i] = std::min(nearest[i], cid);
       if (proposal.group[i] == static_cast<pcl::index_t>(k))
         to_own_seed[i] = cid;
     }
+    const std::vector<double> counted = chances(nearest, withoutDraws(options), k);
     EXPECT_NEAR(static_cast<double>(proposal.coverage[k]),
-                *std::max_element(nearest.begin(), nearest.end()),
+                *std::max_element(counted.begin(), counted.end()),
                 tolerance)
         << "coverage " << k;
   }
@@ -107,32 +170,81 @@ expectAgreesWithAlgorithm2(const MergeTree& tree,
                            const Points& surface,
                            const Points& points,
                            const std::vector<pcl::index_t>& group,
-                           int samples)
+                           const GroupMergingOptions& options)
 {
-  const Oracle oracle(surface, samples);
-  const double tolerance = agreementTolerance(surface);
-  std::vector<Points> groups(tree.numberOfGroups());
+  const Oracle oracle(surface, options.samples);
+  const double tolerance = toleranceOfCosts(surface, options.costs);
+  const auto costOf = [&](const auto& first, const auto& second) {
+    double sum = 0.0;
+    for (const std::size_t p : first)
+      for (const std::size_t q : second)
+        sum += oracle.pointCost(points, p, q, options.costs);
+    return sum / static_cast<double>(first.size() * second.size());
+  };
+  std::vector<std::vector<std::size_t>> groups(tree.numberOfGroups());
   for (std::size_t i = 0; i < points.size(); ++i)
-    groups[static_cast<std::size_t>(group[i])].push_back(points[i]);
+    groups[static_cast<std::size_t>(group[i])].push_back(i);
   ASSERT_EQ(tree.steps().size(), groups.size() - 1);
   for (const MergeStep& step : tree.steps()) {
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < groups.size(); ++i)
       for (std::size_t j = i + 1; j < groups.size(); ++j)
         if (!groups[i].empty() && !groups[j].empty())
-          smallest = std::min(smallest, oracle.groupCID(groups[i], groups[j]));
+          smallest = std::min(smallest, costOf(groups[i], groups[j]));
     ASSERT_LT(step.first, step.second);
-    Points& into = groups[static_cast<std::size_t>(step.first)];
-    Points& from = groups[static_cast<std::size_t>(step.second)];
+    std::vector<std::size_t>& into = groups[static_cast<std::size_t>(step.first)];
+    std::vector<std::size_t>& from = groups[static_cast<std::size_t>(step.second)];
     ASSERT_FALSE(into.empty());
     ASSERT_FALSE(from.empty());
-    const double height = oracle.groupCID(into, from);
+    const double height = costOf(into, from);
     EXPECT_LE(height, smallest + tolerance);
     EXPECT_NEAR(step.height, height, tolerance);
     into.insert(into.end(), from.begin(), from.end());
     from.clear();
     EXPECT_EQ(step.size, into.size());
   }
+}
+
+SeedProposal
+proposeByAllPairs(const DistanceField& field,
+                  const Points& points,
+                  pcl::index_t start,
+                  const SeedProposalOptions& options)
+{
+  SeedProposal proposal;
+  proposal.group.assign(points.size(), -1);
+  proposal.cid.assign(points.size(), std::numeric_limits<float>::infinity());
+  auto next = static_cast<std::size_t>(start);
+  for (;;) {
+    const auto number = static_cast<pcl::index_t>(proposal.seeds.size());
+    proposal.seeds.push_back(static_cast<pcl::index_t>(next));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const PairCost cost =
+          options.costs ? options.costs->between(next, i) : PairCost();
+      const float cid =
+          cost.of(pointCID(field, points[i], points[next], options.samples));
+      if (cid < proposal.cid[i]) {
+        proposal.cid[i] = cid;
+        proposal.group[i] = number;
+      }
+    }
+    const auto counted = chances(proposal.cid, withoutDraws(options), 0);
+    proposal.coverage.push_back(*std::max_element(counted.begin(), counted.end()));
+    if (proposal.seeds.size() == options.seeds || proposal.coverage.back() <= 0.0f)
+      return proposal;
+    const auto chance = chances(proposal.cid, options, proposal.seeds.size());
+    next = static_cast<std::size_t>(std::max_element(chance.begin(), chance.end()) -
+                                    chance.begin());
+  }
+}
+
+void
+expectSameProposal(const SeedProposal& a, const SeedProposal& b)
+{
+  EXPECT_EQ(a.seeds, b.seeds);
+  EXPECT_EQ(a.group, b.group);
+  EXPECT_EQ(a.cid, b.cid);
+  EXPECT_EQ(a.coverage, b.coverage);
 }
 
 void

@@ -41,6 +41,13 @@ public:
   double
   groupCID(const Points& first, const Points& second) const;
 
+  /** What the CID of two of the points costs. */
+  double
+  pointCost(const Points& points,
+            std::size_t p,
+            std::size_t q,
+            const PairCosts* costs) const;
+
 private:
   std::vector<Eigen::Vector3d> surface_;
   int samples_;
@@ -53,7 +60,7 @@ void
 expectAgreesWithAlgorithm1(const SeedProposal& proposal,
                            const Points& surface,
                            const Points& points,
-                           int samples);
+                           const SeedProposalOptions& options);
 
 /** The same for Algorithm 2 with every CID_g over all pairs, computed anew after each
  *  merge. */
@@ -62,7 +69,18 @@ expectAgreesWithAlgorithm2(const MergeTree& tree,
                            const Points& surface,
                            const Points& points,
                            const std::vector<pcl::index_t>& group,
-                           int samples);
+                           const GroupMergingOptions& options);
+
+/** Algorithm 1 with the library's own pointCID() for every pair: no block, no bound.
+ * The result of proposeSeeds() to the last bit. */
+SeedProposal
+proposeByAllPairs(const DistanceField& field,
+                  const Points& points,
+                  pcl::index_t start,
+                  const SeedProposalOptions& options);
+
+void
+expectSameProposal(const SeedProposal& a, const SeedProposal& b);
 
 /** What must hold for every proposal, whatever the cloud: sizes, groups in range, seeds
  *  distinct and with themselves, coverage never growing and above every CID. */

@@ -11,6 +11,7 @@
 
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/execution.h>
+#include <pcl_cid/core/pair_cost.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <algorithm>
@@ -140,6 +141,9 @@ struct GroupMergingOptions {
   std::size_t group_samples = 16;
   /** M: samples on a segment, min_samples to max_samples. */
   int samples = 100;
+  /** What the pairs of points cost: CID_g is the mean of that; null means their CIDs.
+   * It must outlive the call. */
+  const PairCosts* costs = nullptr;
   /** Seed of the draw. */
   std::uint64_t random_seed = 0;
   /** Where Algorithm 2 stops: when so many parts remain, at least 1, or when the

@@ -54,6 +54,15 @@ propose(const Preparation& preparation,
         const ExecutionOptions& execution,
         const char* caller);
 
+/** \brief Group the points of the working set by the seeds of the preparation, which
+ *  were given.
+ *  \param[in] keep_cid see GroupingOptions */
+PCL_CID_EXPORT SeedProposal
+group(const Preparation& preparation,
+      const CIDParameters& parameters,
+      bool keep_cid,
+      const ExecutionOptions& execution);
+
 /** \brief Go on with a proposal that propose() made with its CIDs, up to the number of
  *  seeds that the parameters ask for now. */
 PCL_CID_EXPORT void

@@ -12,9 +12,11 @@
 
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/execution.h>
+#include <pcl_cid/core/pair_cost.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <pcl/types.h>
@@ -28,30 +30,51 @@ namespace pcl_cid {
 struct SeedProposal {
   /** Index of each seed among the points. */
   pcl::Indices seeds;
-  /** Number (0, 1, ...) of the seed with the smallest CID_p to each point; -1 for a
-   *  point that was not grouped. At equal CID the earlier seed keeps the point. */
+  /** Number (0, 1, ...) of the seed with the smallest CID_p (or cost, where pairs have
+   *  one) to each point; -1 for a point that was not grouped. At equal CID the earlier
+   *  seed keeps the point. */
   std::vector<pcl::index_t> group;
-  /** CID_p of each point to that seed, metres; NaN for a point that was not grouped.
-   *  Empty when it was not asked for. */
+  /** CID_p (or cost) of each point to that seed, metres; NaN for a point that was not
+   *  grouped. Empty when it was not asked for. */
   std::vector<float> cid;
   /** r_k for each seed: the largest entry of `cid` once that seed was taken in. Never
-   *  grows; the last one is a guarantee: every point is within it of its seed. */
+   *  grows; the last one is a guarantee: every point that is not isolated is within it
+   *  of its seed. */
   std::vector<float> coverage;
 };
 
+/** \brief How points are compared with seeds. */
+struct GroupingOptions {
+  /** M: samples on a segment, min_samples to max_samples. */
+  int samples = 100;
+  /** What the pairs cost, of as many points as are grouped; null, the default, means
+   *  their CIDs. It must outlive the call. */
+  const PairCosts* costs = nullptr;
+  /** Points that do not count in the coverage and are not proposed as seeds, indices
+   *  among the points; not all of them. They get a group like all others. */
+  pcl::Indices isolated;
+  /** Fill in `cid`, which about doubles the time and which extendProposal() needs. */
+  bool keep_cid = true;
+  ExecutionOptions execution;
+};
+
+/** \brief How the next seed is chosen. */
+enum class SeedingRule {
+  farthest, ///< the point with the largest CID (or cost) to its seed: the paper
+  soft      ///< drawn with the 16th power of it as weight (*ours*): less drawn to noise
+};
+
 /** \brief When the traversal of Algorithm 1 stops, and what it works on. */
-struct SeedProposalOptions {
+struct SeedProposalOptions : GroupingOptions {
   /** K: seeds in all, at least 1. */
   std::size_t seeds = 100;
   /** Stop as soon as r_k is at most this, metres; 0 or more. */
   float coverage = 0.0f;
-  /** M: samples on a segment, min_samples to max_samples. */
-  int samples = 100;
   /** Points that may become seeds, indices among the points; empty means all. */
   pcl::Indices candidates;
-  /** Fill in `cid`, which about doubles the time and which extendProposal() needs. */
-  bool keep_cid = true;
-  ExecutionOptions execution;
+  SeedingRule rule = SeedingRule::farthest;
+  /** Seed of the draws of the soft rule; the k-th is the same however many follow. */
+  std::uint64_t random_seed = 0;
 };
 
 /** \brief Algorithm 1 (seed-point proposal by CID-FPS) with point grouping as its
@@ -80,17 +103,13 @@ proposeSeeds(const DistanceField& field,
  *  \param[in] field the surface S
  *  \param[in] points the points to be grouped, in the frame of the surface
  *  \param[in] seeds indices among the points, at least 1
- *  \param[in] samples M
- *  \param[in] keep_cid fill in `cid`
- *  \param[in] execution threads and progress
+ *  \param[in] options how they are compared
  *  \throws CIDException for a setting out of its range, CIDCancelled */
 PCL_CID_EXPORT SeedProposal
 groupBySeeds(const DistanceField& field,
              const Points& points,
              const pcl::Indices& seeds,
-             int samples,
-             bool keep_cid,
-             const ExecutionOptions& execution);
+             const GroupingOptions& options);
 
 /** \brief Go on with Algorithm 1 where a proposal ended, at the cost of the new seeds
  *  only: the result is that of one run with all of them. The seeds so far may be given
@@ -108,13 +127,12 @@ extendProposal(const DistanceField& field,
  *  corrective seeds, where a first result was wrong. The result is that of groupBySeeds
  *  with all seeds in that order.
  *  \param[in,out] proposal with its CIDs; unchanged when an exception is thrown
- *  \param[in] field,points,seeds,samples,execution as for groupBySeeds */
+ *  \param[in] field,points,seeds,options as for groupBySeeds; `cid` is kept */
 PCL_CID_EXPORT void
 addSeeds(const DistanceField& field,
          const Points& points,
          const pcl::Indices& seeds,
-         int samples,
-         const ExecutionOptions& execution,
+         const GroupingOptions& options,
          SeedProposal& proposal);
 
 } // namespace pcl_cid

@@ -57,17 +57,11 @@ CIDLabelPropagation<PointT>::groupPoints()
 {
   const Preparation ready = this->prepareCompute(seeds_);
   const ExecutionOptions execution = this->execution(0.0, 1.0);
-  const WorkingSet& working = *ready.working;
   const SeedProposal proposal =
       seeds_.empty()
           ? propose(ready, *this, keep_cid_, execution, "CIDLabelPropagation::segment")
-          : groupBySeeds(working.field(),
-                         working.points(),
-                         ready.seeds,
-                         this->getNumberOfSamples(),
-                         keep_cid_,
-                         execution);
-  return working.carryOn(proposal, this->input_->size());
+          : group(ready, *this, keep_cid_, execution);
+  return ready.working->carryOn(proposal, this->input_->size());
 }
 
 template <typename PointT>

@@ -1,0 +1,80 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What the CID of a pair costs: where raw scans go beyond the paper.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/point_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief Distance of two points, each difference rounded on its own: it never falls
+ *  when one of the differences grows, in float too. */
+inline float
+roundedDistance(const Eigen::Vector3f& difference)
+{
+  const Eigen::Vector3f squared = difference.cwiseProduct(difference);
+  return std::sqrt((squared.x() + squared.y()) + squared.z());
+}
+
+/** \brief `cost = weight * CID + cue` of one pair of points (*ours*); the paper has a
+ *  weight of 1 and no cue. It never falls when the CID, the weight or the cue grows, in
+ *  float too, so bounds of those are bounds of it. */
+struct PairCost {
+  float weight = 1.0f; ///< above 0
+  float cue = 0.0f;    ///< metres, 0 or more
+
+  float
+  of(float cid) const
+  {
+    return weight * cid + cue;
+  }
+
+  /** \brief A CID below which the cost is certainly below a limit: the inverse of of(),
+   *  less what rounding can take. */
+  float
+  cidBelow(float limit) const
+  {
+    constexpr float rounding = 4.0f * std::numeric_limits<float>::epsilon();
+    const float rest = limit * (1.0f - rounding) - cue * (1.0f + rounding);
+    return std::max(rest / weight * (1.0f - rounding), 0.0f);
+  }
+};
+
+/** \brief The cost of every pair of a set of points: `cost(p, q) = w(p, q) CID_p(p, q)
+ *  + cue(p, q)` (*ours*), symmetric to the last bit. Without both members it is CID_p
+ *  itself. */
+struct PairCosts {
+  /** s(p) of each point, its spacing in relation to that of the cloud, above 0; empty
+   *  means 1 everywhere. `w(p, q) = 2 / (s(p) + s(q))`: where points are far apart,
+   *  distances to the surface are large without any concavity. */
+  std::vector<float> spacing;
+
+  /** The colour of each point in metres: so far apart as the colours shall cost. Empty
+   *  means no cue. `cue(p, q) = |color(p) - color(q)|`. */
+  Points color;
+
+  PairCost
+  between(std::size_t p, std::size_t q) const
+  {
+    PairCost cost;
+    if (!spacing.empty())
+      cost.weight = 2.0f / (spacing[p] + spacing[q]);
+    if (!color.empty())
+      cost.cue = roundedDistance(color[p] - color[q]);
+    return cost;
+  }
+};
+
+} // namespace pcl_cid
