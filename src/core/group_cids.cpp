@@ -34,7 +34,7 @@ struct GroupCIDs::Effort {
 
 /** The middle shows that most groups are far from each other. */
 constexpr GroupCIDs::Effort GroupCIDs::rough = {1, false};
-constexpr GroupCIDs::Effort GroupCIDs::good = {4, true};
+constexpr GroupCIDs::Effort GroupCIDs::good = {3, true};
 
 GroupCIDs::GroupCIDs(const DistanceField& field,
                      const Points& points,
