@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/concavity.h>
+#include <pcl_cid/core/nearest_neighbors.h>
 #include <pcl_cid/core/pair_cost.h>
 #include <pcl_cid/exceptions.h>
 
@@ -57,6 +58,25 @@ requireSamples(int samples)
                                 min_samples,
                                 " to ",
                                 max_samples));
+}
+
+/** An exponent of the local spacing. */
+inline void
+requirePower(float power)
+{
+  if (!(power >= 0.0f) || !(power <= std::numeric_limits<float>::max()))
+    throw CIDException(
+        sentence("the density power is ", power, "; it must be a number, 0 or more"));
+}
+
+inline void
+requireNearNeighbors(int least)
+{
+  if (least < 0 || static_cast<std::size_t>(least) > NearestNeighbors::most)
+    throw CIDException(sentence("the least number of near neighbours is ",
+                                least,
+                                "; it must be 0 to ",
+                                NearestNeighbors::most));
 }
 
 inline void

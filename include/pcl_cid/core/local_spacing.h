@@ -1,0 +1,55 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * How far apart the points of a cloud are, from place to place.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/nearest_neighbors.h>
+#include <pcl_cid/pcl_cid_export.h>
+
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief Whether CIDs are divided by the local spacing of the points (*ours*). */
+enum class DensityWeight {
+  automatic, ///< on where the spacing is uneven, off where it is even
+  off,       ///< the paper
+  on
+};
+
+/** Spacings below this share of the median count as this much: a sensor that is held
+ *  close to a thing resolves more than a thing's shape needs. */
+constexpr float least_spacing = 0.2f;
+
+/** DensityWeight::automatic is on from this spread of the spacing. Points that are
+ *  drawn evenly from surfaces have about 1.6, whatever the surfaces. */
+constexpr float uneven_spread = 2.1f;
+
+/** \brief s(p) of each point: the distance to its eighth neighbour over the median of
+ *  the cloud, at least `least_spacing`, to a power.
+ *  \param[in] neighbors of the points
+ *  \param[in] power 0 for 1 everywhere (the paper), 1 for the spacing itself; 0 or more
+ *  \return above 0; 1 for each point of a cloud that has no spacing
+ *  \throws CIDException when the power is negative or not a number */
+PCL_CID_EXPORT std::vector<float>
+localSpacing(const NearestNeighbors& neighbors, float power);
+
+/** \brief How uneven the spacing is: of the surface, a tenth has a larger spacing than
+ *  the one, and a tenth a smaller one than the other; their ratio.
+ *
+ *  Each point stands for an area of the square of its spacing. Counted by points
+ *  instead, the near ends of a sensor's view would hide its far ones.
+ *  \param[in] neighbors of the points
+ *  \param[in] isolated points that do not count (see isolatedPoints()), ascending: the
+ *  little that they are would stand for much
+ *  \return 1 or more; 1 for a cloud that has no spacing */
+PCL_CID_EXPORT float
+spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated);
+
+} // namespace pcl_cid
