@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Clouds from and to files: which format, coordinates, labels.
+ * Clouds from and to files: which format, coordinates, labels, colours.
  */
 
 #include "../core/validation.h"
@@ -292,6 +292,29 @@ labelsOf(const LabelledCloud& cloud,
     }
   });
   return labels;
+}
+
+std::vector<ColorRGB>
+colorsOf(const LabelledCloud& cloud)
+{
+  const char* const name = findField(cloud.fields, "rgb") ? "rgb" : "rgba";
+  if (!findField(cloud.fields, name))
+    throw CIDException(cloud.name + ": has no colours, in a field 'rgb' or 'rgba'; " +
+                       "its fields are " + listOfFields(cloud));
+  const pcl::PCLPointField& field = requireField(cloud, name);
+  if (sizeOf(field.datatype) != sizeof(std::uint32_t))
+    throw CIDException(sentence(cloud.name,
+                                ": field '",
+                                name,
+                                "' has ",
+                                sizeOf(field.datatype),
+                                " bytes; colours must have 4"));
+  std::vector<ColorRGB> colors;
+  colors.reserve(cloud.size());
+  const std::uint8_t* bytes = cloud.fields.data.data() + field.offset;
+  for (std::size_t i = 0; i < cloud.size(); ++i, bytes += cloud.fields.point_step)
+    colors.push_back(unpackColor(loadValue<std::uint32_t>(bytes)));
+  return colors;
 }
 
 void

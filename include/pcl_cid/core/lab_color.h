@@ -26,6 +26,16 @@ struct ColorRGB {
   std::uint8_t b;
 };
 
+/** \brief A colour as PCL's fields `rgb` and `rgba` hold it, whatever type they are
+ * said to have: 0xAARRGGBB. */
+inline ColorRGB
+unpackColor(std::uint32_t packed)
+{
+  return {static_cast<std::uint8_t>(packed >> 16),
+          static_cast<std::uint8_t>(packed >> 8),
+          static_cast<std::uint8_t>(packed)};
+}
+
 /** \brief CIE L*a*b* of a colour, for the white of sRGB (D65): L* is 0 to 100.
  *
  *  The difference of two colours is about their Euclidean distance here; 2.3 can just

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/lab_color.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
@@ -99,6 +100,14 @@ PCL_CID_IO_EXPORT std::vector<std::uint32_t>
 labelsOf(const LabelledCloud& cloud,
          const std::string& field,
          const CloudPoints& points);
+
+/** \brief The colours of a cloud: its field `rgb`, or else `rgba`, packed as PCL packs
+ *  them.
+ *  \return one for each point
+ *  \throws CIDException when it has neither (the message lists the fields that there
+ *  are), or when the field is not one value of 4 bytes */
+PCL_CID_IO_EXPORT std::vector<ColorRGB>
+colorsOf(const LabelledCloud& cloud);
 
 /** \brief Give the cloud a field of labels, in the place of one that it has, else after
  *  all other fields.
