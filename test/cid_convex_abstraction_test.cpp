@@ -127,6 +127,7 @@ TEST(CIDConvexAbstraction, DropsSmallPartsAndSaysHowManyPoints)
   points.push_back({50.0f, 0.0f, 0.0f}); // a speck of two
   points.push_back({50.0f, 0.001f, 0.0f});
   Abstraction abstraction = abstractionFor(toCloud(points));
+  abstraction.setIsolatedNeighbors(0); // the speck shall have a seed
   abstraction.setNumberOfParts(3);
   std::vector<ConvexPart> all;
   abstraction.reconstruct(all);

@@ -75,6 +75,7 @@ TEST(CIDSampler, DegenerateCloudsGiveASeedForEachDistinctPoint)
     // With M - 1 intervals no more than the line has, samples could fall on its points
     // only, and Eq. 2 would call distinct points equal.
     sampler.setNumberOfSamples(100);
+    sampler.setIsolatedNeighbors(0); // what is huge stands apart from what is tiny
     testing::internal::CaptureStderr();
     const pcl::Indices seeds = sampled(sampler);
     const std::string warning = testing::internal::GetCapturedStderr();

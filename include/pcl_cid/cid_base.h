@@ -14,6 +14,7 @@
 #include <pcl_cid/exceptions.h>
 
 #include <string>
+#include <vector>
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_types.h>
@@ -65,6 +66,13 @@ public:
     return search_surface_;
   }
 
+  /** \brief What the last verb found out about the density of the input, and did. */
+  const DensityDecision&
+  getDensityDecision() const
+  {
+    return density_decision_;
+  }
+
 protected:
   using Base::deinitCompute;
   using Base::indices_;
@@ -88,7 +96,14 @@ protected:
   prepareCompute(const pcl::Indices& given_seeds);
 
 private:
+  /** \brief Colours of the points, from setColors() or the point type; none where the
+   *  color weight is 0.
+   *  \throws CIDException when there are none and there should be */
+  std::vector<ColorRGB>
+  gatherColors(const PointSet& points) const;
+
   PointCloudConstPtr search_surface_;
+  DensityDecision density_decision_;
 };
 
 } // namespace pcl_cid

@@ -49,9 +49,10 @@ public:
    *  annotator asks for ten more. The result is that of one sample() with all of them.
    *  \param[in] number_of_seeds K, all in all
    *  \param[out] seeds all of them
-   *  \throws CIDException when nothing was sampled yet, or the input cloud or the
-   * number of samples is another by now; indices, surface, candidates and subsample
-   * stay those of the sample() */
+   *  \throws CIDException when nothing was sampled yet, or the input cloud, the
+   *  number of samples or a setting for raw scans (see RawScanSettings) is another by
+   *  now; indices, surface, colours, candidates and subsample stay those of the
+   *  sample() */
   void
   extend(int number_of_seeds, pcl::Indices& seeds);
 
@@ -70,7 +71,8 @@ private:
   std::shared_ptr<const Preparation> prepared_; ///< of the last sample()
   PointCloudConstPtr sampled_;                  ///< its input
   int sampled_with_ = 0;                        ///< its M
-  SeedProposal working_proposal_;               ///< its result on the working set
+  RawScanSettings sampled_as_;
+  SeedProposal working_proposal_; ///< its result on the working set
   SeedProposal proposal_;
 };
 

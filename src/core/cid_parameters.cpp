@@ -11,7 +11,22 @@
 
 #include <pcl_cid/core/cid_parameters.h>
 
+#include <tuple>
+
 namespace pcl_cid {
+
+bool
+RawScanSettings::operator==(const RawScanSettings& other) const
+{
+  const auto all = [](const RawScanSettings& s) {
+    return std::tie(s.density_weight,
+                    s.density_power,
+                    s.isolated_neighbors,
+                    s.seeding_rule,
+                    s.color_weight);
+  };
+  return all(*this) == all(other);
+}
 
 void
 CIDParameters::setNumberOfSeeds(int number_of_seeds)
@@ -46,6 +61,27 @@ CIDParameters::setStartIndex(pcl::index_t start_index)
 {
   requireAtLeast("start index", start_index, pcl::index_t{0});
   start_index_ = start_index;
+}
+
+void
+CIDParameters::setDensityPower(float density_power)
+{
+  requireDensityPower(density_power);
+  raw_scan_.density_power = density_power;
+}
+
+void
+CIDParameters::setIsolatedNeighbors(int isolated_neighbors)
+{
+  requireNearNeighbors(isolated_neighbors);
+  raw_scan_.isolated_neighbors = isolated_neighbors;
+}
+
+void
+CIDParameters::setColorWeight(float color_weight)
+{
+  requireNotNegative("color weight", color_weight, "metres for a unit of L*a*b*");
+  raw_scan_.color_weight = color_weight;
 }
 
 void

@@ -55,13 +55,14 @@ quantileByArea(const std::vector<float>& ascending, double total, double share)
 std::vector<float>
 localSpacing(const NearestNeighbors& neighbors, float power)
 {
-  requirePower(power);
+  requireDensityPower(power);
   std::vector<float> spacing(neighbors.size(), 1.0f);
   const float median = medianReach(neighbors);
   if (!(median > 0.0f) || power == 0.0f)
     return spacing;
   for (std::size_t i = 0; i < spacing.size(); ++i) {
-    const float relative = std::max(neighbors.reach(i) / median, least_spacing);
+    const float relative =
+        std::clamp(neighbors.reach(i) / median, least_spacing, most_spacing);
     spacing[i] = power == 1.0f ? relative : std::pow(relative, power);
   }
   return spacing;

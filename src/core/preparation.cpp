@@ -9,9 +9,12 @@
 
 #include "validation.h"
 
+#include <pcl_cid/core/isolated_points.h>
 #include <pcl_cid/core/preparation.h>
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include <pcl/console/print.h>
@@ -86,6 +89,89 @@ startPosition(const PointSet& points,
   return candidates[drawBelow(generator, candidates.size())];
 }
 
+/** Those of some indices that are not among others; both ascending. */
+pcl::Indices
+without(const pcl::Indices& all, const pcl::Indices& others)
+{
+  pcl::Indices left;
+  std::set_difference(
+      all.begin(), all.end(), others.begin(), others.end(), std::back_inserter(left));
+  return left;
+}
+
+/** Working points that may become seeds, ascending. */
+pcl::Indices
+possibleSeeds(const Preparation& ready)
+{
+  pcl::Indices possible = ready.candidates;
+  if (possible.empty()) {
+    possible.resize(ready.working->points().size());
+    std::iota(possible.begin(), possible.end(), 0);
+  }
+  std::sort(possible.begin(), possible.end());
+  return possible;
+}
+
+/** Colours of the working points, in metres. */
+Points
+colorsInMetres(const WorkingSet& working,
+               const std::vector<ColorRGB>& colors,
+               const NearestNeighbors& neighbors,
+               float color_weight)
+{
+  std::vector<ColorRGB> of_working;
+  for (std::size_t i = 0; i < working.points().size(); ++i)
+    of_working.push_back(colors[static_cast<std::size_t>(
+        working.positionOf(static_cast<pcl::index_t>(i)))]);
+  Points in_metres = smoothLab(of_working, neighbors);
+  for (Eigen::Vector3f& color : in_metres)
+    color *= color_weight;
+  return in_metres;
+}
+
+/** Spacing, isolated points, colours: what the settings need of them. */
+void
+lookAtScan(const std::vector<ColorRGB>& colors,
+           const RawScanSettings& settings,
+           const ExecutionOptions& execution,
+           Preparation& ready)
+{
+  const bool spacing_matters =
+      settings.density_weight != DensityWeight::off && settings.density_power > 0.0f;
+  const bool color_matters = settings.color_weight > 0.0f;
+  if (!spacing_matters && !color_matters && settings.isolated_neighbors == 0)
+    return;
+  const Points& points = ready.working->points();
+  const NearestNeighbors neighbors(points, execution);
+  ready.isolated = isolatedPoints(points, neighbors, settings.isolated_neighbors);
+  DensityDecision& density = ready.density;
+  density.isolated_points = ready.isolated.size();
+  density.spread = spacingSpread(neighbors, ready.isolated);
+  density.weighted = spacing_matters && (settings.density_weight == DensityWeight::on ||
+                                         density.spread >= uneven_spread);
+  if (density.weighted)
+    ready.costs.spacing = localSpacing(neighbors, settings.density_power);
+  if (color_matters)
+    ready.costs.color =
+        colorsInMetres(*ready.working, colors, neighbors, settings.color_weight);
+}
+
+/** Isolated points are passed over, unless nothing else is left. */
+void
+passOverIsolated(bool start_is_drawn, RandomGenerator& generator, Preparation& ready)
+{
+  if (ready.isolated.empty())
+    return;
+  const pcl::Indices possible = possibleSeeds(ready);
+  const pcl::Indices left = without(possible, ready.isolated);
+  if (left.empty())
+    ready.isolated = without(ready.isolated, possible);
+  else if (start_is_drawn && std::binary_search(ready.isolated.begin(),
+                                                ready.isolated.end(),
+                                                ready.seeds.front()))
+    ready.seeds.front() = left[drawBelow(generator, left.size())];
+}
+
 SeedProposalOptions
 optionsOf(const Preparation& preparation,
           const CIDParameters& parameters,
@@ -97,6 +183,10 @@ optionsOf(const Preparation& preparation,
   options.coverage = parameters.getCoverage();
   options.samples = parameters.getNumberOfSamples();
   options.candidates = preparation.candidates;
+  options.costs = preparation.pairCosts();
+  options.isolated = preparation.isolated;
+  options.rule = parameters.getSeedingRule();
+  options.random_seed = preparation.soft_seed;
   options.keep_cid = keep_cid;
   options.execution = execution;
   return options;
@@ -128,6 +218,7 @@ warnIfShort(const SeedProposal& proposal,
 Preparation
 prepare(PointSet points,
         const Points& surface,
+        const std::vector<ColorRGB>& colors,
         const pcl::Indices& given_seeds,
         const CIDParameters& parameters,
         const ExecutionOptions& execution)
@@ -162,6 +253,11 @@ prepare(PointSet points,
       ready.candidates.push_back(drawn);
   if (!candidates.empty() && ready.candidates.empty())
     ready.candidates = ready.seeds; // none was drawn: the start stands alone
+
+  lookAtScan(colors, parameters.getRawScanSettings(), execution, ready);
+  passOverIsolated(
+      given_seeds.empty() && !parameters.getStartIndex(), generator, ready);
+  ready.soft_seed = generator();
   return ready;
 }
 

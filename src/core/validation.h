@@ -62,11 +62,12 @@ requireSamples(int samples)
 
 /** An exponent of the local spacing. */
 inline void
-requirePower(float power)
+requireDensityPower(float power)
 {
-  if (!(power >= 0.0f) || !(power <= std::numeric_limits<float>::max()))
+  constexpr float most = 4.0f; // so that spacings stay numbers
+  if (!(power >= 0.0f && power <= most))
     throw CIDException(
-        sentence("the density power is ", power, "; it must be a number, 0 or more"));
+        sentence("the density power is ", power, "; it must be 0 to ", most));
 }
 
 inline void

@@ -105,12 +105,8 @@ WorkingSet::carryOn(const SeedProposal& proposal, std::size_t cloud_size) const
 {
   SeedProposal carried;
   carried.coverage = proposal.coverage;
-  for (const pcl::index_t seed : proposal.seeds) {
-    const auto i = static_cast<std::size_t>(seed);
-    const auto position =
-        position_.empty() ? i : static_cast<std::size_t>(position_[i]);
-    carried.seeds.push_back(all_.source[position]);
-  }
+  for (const pcl::index_t seed : proposal.seeds)
+    carried.seeds.push_back(all_.source[static_cast<std::size_t>(positionOf(seed))]);
   carried.group.assign(cloud_size, -1);
   if (!proposal.cid.empty())
     carried.cid.assign(cloud_size, std::numeric_limits<float>::quiet_NaN());

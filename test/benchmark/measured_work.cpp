@@ -69,7 +69,7 @@ public:
   {
     configure(work, parameters_);
     execution_.threads = work.threads;
-    ready_ = prepare(finitePoints(cloud), {}, {}, parameters_, execution_);
+    ready_ = prepare(finitePoints(cloud), {}, {}, {}, parameters_, execution_);
   }
 
   SeedProposal

@@ -121,7 +121,9 @@ TEST_P(SpacingOfPoints, IsAboveZeroAndFinite)
 {
   const NearestNeighbors neighbors = neighborsOf(GetParam().points);
   for (const float spacing : localSpacing(neighbors, 1.0f))
-    ASSERT_TRUE(spacing >= least_spacing && std::isfinite(spacing)) << spacing;
+    ASSERT_TRUE(spacing >= least_spacing && spacing <= most_spacing) << spacing;
+  for (const float spacing : localSpacing(neighbors, 4.0f))
+    ASSERT_TRUE(spacing > 0.0f && std::isfinite(spacing)) << spacing;
   const float spread = spacingSpread(neighbors, {});
   EXPECT_TRUE(spread >= 1.0f && std::isfinite(spread)) << spread;
 }
@@ -136,7 +138,7 @@ TEST(LocalSpacing, RefusesABadPower)
   const NearestNeighbors neighbors = neighborsOf(twoBoxes(100, 3));
   EXPECT_THROW(localSpacing(neighbors, -1.0f), CIDException);
   EXPECT_THROW(localSpacing(neighbors, NAN), CIDException);
-  EXPECT_THROW(localSpacing(neighbors, INFINITY), CIDException);
+  EXPECT_THROW(localSpacing(neighbors, 4.5f), CIDException);
 }
 
 /// The squared distance to the eighth of points that are even in a plane follows

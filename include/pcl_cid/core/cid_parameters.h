@@ -11,15 +11,36 @@
 
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/execution.h>
+#include <pcl_cid/core/lab_color.h>
+#include <pcl_cid/core/local_spacing.h>
+#include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include <pcl/types.h>
 
 namespace pcl_cid {
+
+/** \brief The settings for raw scans (*ours*): what a pair of points costs, and which
+ *  points become seeds. */
+struct RawScanSettings {
+  DensityWeight density_weight = DensityWeight::automatic;
+  float density_power = 1.0f;
+  int isolated_neighbors = 4;
+  SeedingRule seeding_rule = SeedingRule::farthest;
+  float color_weight = 0.0f;
+
+  bool
+  operator==(const RawScanSettings& other) const;
+};
+
+/** \brief The colour of each point of a cloud. */
+using ColorsConstPtr = std::shared_ptr<const std::vector<ColorRGB>>;
 
 /** \brief The settings that all classes of pcl_cid share. Every setter refuses a bad
  *  value at once with a CIDException and then changes nothing. */
@@ -118,6 +139,92 @@ public:
     return seed_candidates_;
   }
 
+  /** \brief Whether CIDs are weighted by `2 / (s(p) + s(q))`, s being the local spacing
+   *  of the points (see localSpacing()): where a scan is sparse, a point is far from
+   * the surface without any concavity. The default, automatic, is on where the spacing
+   * is uneven (see spacingSpread() and `uneven_spread`): for a single depth view, a
+   * lidar scan, but not for points drawn evenly. */
+  void
+  setDensityWeight(DensityWeight density_weight)
+  {
+    raw_scan_.density_weight = density_weight;
+  }
+
+  DensityWeight
+  getDensityWeight() const
+  {
+    return raw_scan_.density_weight;
+  }
+
+  /** \brief The power of the spacing in that weight: 0 (as if off) to 4; default 1. */
+  void
+  setDensityPower(float density_power);
+
+  float
+  getDensityPower() const
+  {
+    return raw_scan_.density_power;
+  }
+
+  /** \brief A point with fewer others near it is isolated (see isolatedPoints()): it
+   *  never becomes a seed, unless it is the start or a seed that was given, and does
+   * not count in the coverage, but belongs to a group like all others. 0 (no point is
+   *  isolated) to NearestNeighbors::most; default 4. */
+  void
+  setIsolatedNeighbors(int isolated_neighbors);
+
+  int
+  getIsolatedNeighbors() const
+  {
+    return raw_scan_.isolated_neighbors;
+  }
+
+  /** \brief How the next seed is chosen; default SeedingRule::farthest, the paper. */
+  void
+  setSeedingRule(SeedingRule seeding_rule)
+  {
+    raw_scan_.seeding_rule = seeding_rule;
+  }
+
+  SeedingRule
+  getSeedingRule() const
+  {
+    return raw_scan_.seeding_rule;
+  }
+
+  /** \brief What a difference in colour adds to the cost of a pair: metres for a unit
+   * of CIE L*a*b* (black to white: 100), the colours being smooth (see smoothLab()); 0
+   * or more; default 0, for no look at colours. Above 0 the verbs need colours: from a
+   *  point type with `rgb` or `rgba`, or from setColors(). */
+  void
+  setColorWeight(float color_weight);
+
+  float
+  getColorWeight() const
+  {
+    return raw_scan_.color_weight;
+  }
+
+  /** \brief Colours of the points of the input cloud, one for each; null, the default,
+   *  means those of its point type. */
+  void
+  setColors(const ColorsConstPtr& colors)
+  {
+    colors_ = colors;
+  }
+
+  ColorsConstPtr
+  getColors() const
+  {
+    return colors_;
+  }
+
+  const RawScanSettings&
+  getRawScanSettings() const
+  {
+    return raw_scan_;
+  }
+
   /** \brief Who answers nearest-neighbour queries away from the surface; null, the
    *  default, leaves it to pcl_cid and pcl::KdTreeFLANN (see DistanceField). It is
    *  given the surface about a local origin, as PointXYZ; it must be exact and safe for
@@ -186,6 +293,8 @@ private:
   std::uint64_t random_seed_ = 0;
   std::optional<pcl::index_t> start_index_;
   pcl::IndicesConstPtr seed_candidates_;
+  RawScanSettings raw_scan_;
+  ColorsConstPtr colors_;
   Search::Ptr search_method_;
   std::size_t memory_budget_ = 0;
   unsigned int number_of_threads_ = 0;

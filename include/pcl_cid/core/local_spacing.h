@@ -27,16 +27,19 @@ enum class DensityWeight {
  *  close to a thing resolves more than a thing's shape needs. */
 constexpr float least_spacing = 0.2f;
 
+/** And spacings above this multiple of the median as that much. */
+constexpr float most_spacing = 100.0f;
+
 /** DensityWeight::automatic is on from this spread of the spacing. Points that are
  *  drawn evenly from surfaces have about 1.6, whatever the surfaces. */
 constexpr float uneven_spread = 2.1f;
 
 /** \brief s(p) of each point: the distance to its eighth neighbour over the median of
- *  the cloud, at least `least_spacing`, to a power.
+ *  the cloud, within `least_spacing` and `most_spacing`, to a power.
  *  \param[in] neighbors of the points
- *  \param[in] power 0 for 1 everywhere (the paper), 1 for the spacing itself; 0 or more
+ *  \param[in] power 0 for 1 everywhere (the paper), 1 for the spacing itself; 0 to 4
  *  \return above 0; 1 for each point of a cloud that has no spacing
- *  \throws CIDException when the power is negative or not a number */
+ *  \throws CIDException when the power is out of its range */
 PCL_CID_EXPORT std::vector<float>
 localSpacing(const NearestNeighbors& neighbors, float power);
 

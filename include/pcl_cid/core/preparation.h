@@ -10,13 +10,26 @@
 #pragma once
 
 #include <pcl_cid/core/cid_parameters.h>
+#include <pcl_cid/core/pair_cost.h>
 #include <pcl_cid/core/working_set.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace pcl_cid {
+
+/** \brief What was found out about the density of a scan, and decided. */
+struct DensityDecision {
+  /** Whether CIDs are weighted by the local spacing. */
+  bool weighted = false;
+  /** See spacingSpread(); 0 where no setting needs it. */
+  float spread = 0.0f;
+  /** Points that were worked on, and were isolated. */
+  std::size_t isolated_points = 0;
+};
 
 /** \brief What a verb works on, and the seeds that it begins with. */
 struct Preparation {
@@ -25,12 +38,26 @@ struct Preparation {
   pcl::Indices seeds;
   /** See SeedProposalOptions. */
   pcl::Indices candidates;
+  /** Never all of the candidates. */
+  pcl::Indices isolated;
+  std::uint64_t soft_seed = 0;
+  PairCosts costs;
+  DensityDecision density;
+
+  /** \brief The costs, or null where they are the CIDs. */
+  const PairCosts*
+  pairCosts() const
+  {
+    return costs.spacing.empty() && costs.color.empty() ? nullptr : &costs;
+  }
 };
 
-/** \brief Draw the working set, with the start or the given seeds in it.
+/** \brief Draw the working set, with the start or the given seeds in it, and look at it
+ *  as a scan: spacing, isolated points, colours.
  *  \param[in] points finite points that are grouped, `source` ascending
  *  \param[in] surface points of S about the same origin; empty for the points
  *  themselves
+ *  \param[in] colors of the points; empty where the color weight is 0
  *  \param[in] given_seeds indices of the input cloud; empty for a start, given or drawn
  *  \param[in] parameters see CIDParameters
  *  \param[in] execution threads and progress
@@ -39,6 +66,7 @@ struct Preparation {
 PCL_CID_EXPORT Preparation
 prepare(PointSet points,
         const Points& surface,
+        const std::vector<ColorRGB>& colors,
         const pcl::Indices& given_seeds,
         const CIDParameters& parameters,
         const ExecutionOptions& execution);

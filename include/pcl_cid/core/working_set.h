@@ -61,6 +61,13 @@ public:
   pcl::index_t
   indexOf(pcl::index_t position) const;
 
+  /** \brief Position, in the set given, of a point of points(). */
+  pcl::index_t
+  positionOf(pcl::index_t index) const
+  {
+    return position_.empty() ? index : position_[static_cast<std::size_t>(index)];
+  }
+
   /** \brief A proposal on points() becomes one on the whole input cloud: seeds are
    *  indices of the cloud; group and cid have an entry for every point of it. A point
    *  that was not drawn takes the group and the cid of the one it follows; a point that

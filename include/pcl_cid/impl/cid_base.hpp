@@ -12,7 +12,10 @@
 #include <pcl_cid/cid_base.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 namespace pcl_cid {
@@ -30,6 +33,27 @@ coordinates(const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices)
     points.emplace_back(point.x, point.y, point.z);
   }
   return points;
+}
+
+/** \brief The colour of a point with `rgb` or `rgba`, whichever it is registered with.
+ */
+template <typename PointT>
+ColorRGB
+colorOf(const PointT& point)
+{
+  using Tag =
+      std::conditional_t<pcl::traits::has_field<PointT, pcl::fields::rgb>::value,
+                         pcl::fields::rgb,
+                         pcl::fields::rgba>;
+  static_assert(sizeof(typename pcl::traits::datatype<PointT, Tag>::type) ==
+                    sizeof(std::uint32_t),
+                "pcl_cid needs colours of 4 bytes, packed as PCL packs them");
+  std::uint32_t packed;
+  std::memcpy(&packed,
+              reinterpret_cast<const char*>(&point) +
+                  pcl::traits::offset<PointT, Tag>::value,
+              sizeof(packed));
+  return unpackColor(packed);
 }
 
 } // namespace detail
@@ -62,6 +86,33 @@ CIDBase<PointT>::gatherPoints() const
 }
 
 template <typename PointT>
+std::vector<ColorRGB>
+CIDBase<PointT>::gatherColors(const PointSet& points) const
+{
+  std::vector<ColorRGB> colors;
+  if (getColorWeight() == 0.0f)
+    return colors;
+  const ColorsConstPtr given = getColors();
+  if (given && given->size() != input_->size())
+    throw CIDException("there are " + std::to_string(given->size()) +
+                       " colours; there must be one for each of the " +
+                       std::to_string(input_->size()) + " points of the input cloud");
+  colors.reserve(points.size());
+  for (const pcl::index_t source : points.source) {
+    const auto i = static_cast<std::size_t>(source);
+    if (given)
+      colors.push_back((*given)[i]);
+    else if constexpr (pcl::traits::has_color_v<PointT>)
+      colors.push_back(detail::colorOf((*input_)[i]));
+    else
+      throw CIDException("the color weight is " + std::to_string(getColorWeight()) +
+                         ", but the point type has no rgb or rgba; call setColors, or "
+                         "set the weight to 0");
+  }
+  return colors;
+}
+
+template <typename PointT>
 Preparation
 CIDBase<PointT>::prepareCompute(const pcl::Indices& given_seeds)
 {
@@ -76,8 +127,15 @@ CIDBase<PointT>::prepareCompute(const pcl::Indices& given_seeds)
       throw CIDException(
           "the search surface has no finite point; at least 1 is needed");
   }
-  return prepare(
-      std::move(points), surface.points, given_seeds, *this, execution(0.0, 0.0));
+  const std::vector<ColorRGB> colors = gatherColors(points);
+  Preparation ready = prepare(std::move(points),
+                              surface.points,
+                              colors,
+                              given_seeds,
+                              *this,
+                              execution(0.0, 0.0));
+  density_decision_ = ready.density;
+  return ready;
 }
 
 } // namespace pcl_cid

@@ -131,6 +131,7 @@ CIDConvexAbstraction<PointT>::decompose(double until)
   const SeedProposal proposal = propose(
       ready, *this, false, this->execution(0.0, 0.5 * until), "CIDConvexAbstraction");
   GroupMergingOptions options = mergingOptions(proposal.seeds.size());
+  options.costs = ready.pairCosts();
   options.execution = this->execution(0.5 * until, until);
   merge_tree_ = mergeGroups(working.field(),
                             working.points(),

@@ -29,6 +29,7 @@ CIDSampler<PointT>::sample(pcl::Indices& seeds)
   prepared_ = std::move(prepared);
   sampled_ = this->input_;
   sampled_with_ = this->getNumberOfSamples();
+  sampled_as_ = this->getRawScanSettings();
   publish(seeds);
   this->deinitCompute();
 }
@@ -45,6 +46,11 @@ CIDSampler<PointT>::extend(int number_of_seeds, pcl::Indices& seeds)
                        std::to_string(sampled_with_) + " to " +
                        std::to_string(this->getNumberOfSamples()) +
                        "; what is extended must keep it");
+  if (!(sampled_as_ == this->getRawScanSettings()))
+    throw CIDException(
+        "the density weight or power, the isolated neighbours, the seeding "
+        "rule or the color weight has changed since the sample; what is "
+        "extended must keep them");
   this->setNumberOfSeeds(number_of_seeds);
   pcl_cid::extend(*prepared_,
                   *this,
