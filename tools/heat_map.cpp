@@ -116,6 +116,7 @@ declareHeatMapOption(std::optional<int>& cid_from, CommandLine& line)
                 "random-seed",
                 "start-index",
                 "label-type"});
+  line.exclude(option_name, rawScanOptionNames());
 }
 
 void

@@ -72,12 +72,13 @@ measureTightness(const AbstractSettings& settings,
 
 Abstraction
 makeParts(const AbstractSettings& settings,
+          const LabelledCloud& cloud,
           const CloudPoints& points,
           Console& console,
           Report& report)
 {
   CIDConvexAbstraction<pcl::PointXYZ> abstraction;
-  configure(settings, points, console, abstraction);
+  configure(settings, cloud, points, console, abstraction);
   configureMerging(settings, abstraction);
   abstraction.setInputCloud(points.points);
 
@@ -97,6 +98,7 @@ makeParts(const AbstractSettings& settings,
   result.hull_options = abstraction.getHullOptions();
   result.dropped_points = abstraction.getNumberOfDroppedPoints();
   report.parameters = parametersOf(settings, abstraction);
+  describeDensity(abstraction.getDensityDecision(), console, report);
   describeProposal(proposal, points, report);
   measureTightness(settings, points, abstraction, console, report, result);
   translate(points.offset, result.parts);
@@ -209,7 +211,7 @@ abstract(const AbstractSettings& settings)
 
   CloudPoints points;
   LabelledCloud cloud = loadCloud(settings, console, report, points);
-  const Abstraction result = makeParts(settings, points, console, report);
+  const Abstraction result = makeParts(settings, cloud, points, console, report);
   addParameters(settings, report);
   report.parts = &result.parts;
   console.value("Coverage", shortNumber(report.coverage.back()) + " metres");

@@ -62,8 +62,9 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
   declareScannetOptions(settings.scannet, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);
-  line.exclude("labels",
-               {"labels-from", "propose", "seeds", "coverage", "start-index"});
+  line.exclude(
+      "labels",
+      {"labels-from", "propose", "seeds", "coverage", "start-index", "seeding"});
   if (!line.parse(argc, argv, {&settings.input, &settings.output}))
     return false;
   requireExtension("OUTPUT", settings.output, {".pcd", ".ply"});
@@ -89,6 +90,7 @@ announceOutputs(const SegmentSettings& settings, OutputFiles& outputs)
 /** Label all points of a scan, and say what there is to say about it. */
 void
 propagateLabels(const SegmentSettings& settings,
+                const LabelledCloud& cloud,
                 const CloudPoints& points,
                 Console& console,
                 Report& report,
@@ -96,7 +98,7 @@ propagateLabels(const SegmentSettings& settings,
 {
   const std::vector<std::uint32_t>& truth = scan.true_labels;
   CIDLabelPropagation<pcl::PointXYZ> propagation;
-  configure(settings, points, console, propagation);
+  configure(settings, cloud, points, console, propagation);
   propagation.setInputCloud(points.points);
   if (!settings.labels.empty()) {
     const SeedTable table = readSeedTable(settings.labels, points);
@@ -111,6 +113,7 @@ propagateLabels(const SegmentSettings& settings,
   const SeedProposal& proposal = propagation.getProposal();
   console.end(std::to_string(proposal.seeds.size()) + " seeds", "segment", report);
   report.parameters = parametersOf(settings, propagation);
+  describeDensity(propagation.getDensityDecision(), console, report);
   describeProposal(proposal, points, report);
   for (std::size_t k = 0; k < proposal.seeds.size(); ++k)
     report.seed_labels.push_back(
@@ -159,7 +162,7 @@ segment(const SegmentSettings& settings)
     scan.true_labels = labelsOf(cloud, settings.labels_from, points);
   if (!settings.scannet.submission.empty())
     scan.true_classes = labelsOf(cloud, "semantic", points);
-  propagateLabels(settings, points, console, report, scan);
+  propagateLabels(settings, cloud, points, console, report, scan);
   addParameters(settings, report);
   console.value("Coverage", shortNumber(report.coverage.back()) + " metres");
   if (!scan.true_labels.empty()) {

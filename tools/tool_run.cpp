@@ -113,6 +113,7 @@ declareSeedOptions(Settings& settings, CommandLine& command_line)
                               {0, INT_MAX, "the index of a point, 0 or more"},
                               settings.start_index,
                               "first seed, instead of a random one");
+  declareRawScanOptions(settings.raw_scan, command_line);
 }
 
 void
@@ -277,6 +278,7 @@ loadCloud(const Settings& settings,
 
 void
 configure(const Settings& settings,
+          const LabelledCloud& cloud,
           const CloudPoints& points,
           Console& console,
           CIDParameters& parameters)
@@ -288,6 +290,7 @@ configure(const Settings& settings,
   parameters.setRandomSeed(settings.random_seed);
   if (settings.start_index)
     parameters.setStartIndex(*settings.start_index);
+  configureForRawScan(settings.raw_scan, cloud, parameters);
   parameters.setNumberOfThreads(settings.threads);
   parameters.setProgressCallback(console.progress());
 }
@@ -307,6 +310,8 @@ parametersOf(const Settings& settings, const CIDParameters& parameters)
     list[1].value = *settings.coverage;
   if (settings.start_index)
     list[5].value = std::int64_t{*settings.start_index};
+  for (Report::Parameter& parameter : parametersOf(settings.raw_scan))
+    list.push_back(std::move(parameter));
   return list;
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "command_line.h"
+#include "raw_scan_options.h"
 
 #include <pcl_cid/core/cid_parameters.h>
 #include <pcl_cid/io/labelled_cloud.h>
@@ -35,6 +36,7 @@ struct Settings {
   int subsample = 0;
   std::uint64_t random_seed = 0;
   std::optional<int> start_index;
+  RawScanOptions raw_scan;
   unsigned int threads = 0;
   std::size_t label_type = 0; ///< as in LabelType
   std::string report;
@@ -51,7 +53,8 @@ struct Settings {
   }
 };
 
-/** \brief Declare the options that say how seeds are proposed. */
+/** \brief Declare the options that say how seeds are proposed, those for raw scans
+ *  among them. */
 void
 declareSeedOptions(Settings& settings, CommandLine& command_line);
 
@@ -132,9 +135,11 @@ loadCloud(const Settings& settings,
           Report& report,
           CloudPoints& points);
 
-/** \brief Hand the settings on to a class of the library. */
+/** \brief Hand the settings on to a class of the library.
+ *  \throws CIDException when colours are wanted that the cloud does not have */
 void
 configure(const Settings& settings,
+          const LabelledCloud& cloud,
           const CloudPoints& points,
           Console& console,
           CIDParameters& parameters);

@@ -42,6 +42,16 @@ parametersOf(const Report& report)
 }
 
 Json
+densityOf(const DensityDecision& density)
+{
+  Json json = {{"weighted", density.weighted}, {"spread", nullptr}};
+  if (density.spread > 0.0f)
+    json["spread"] = density.spread;
+  json["isolated_points"] = density.isolated_points;
+  return json;
+}
+
+Json
 seedsOf(const Report& report)
 {
   Json seeds = Json::array();
@@ -194,6 +204,8 @@ toJson(const Report& report)
   json["points"] = {{"in", report.points_in},
                     {"finite", report.points_finite},
                     {"grouped", report.points_grouped}};
+  if (report.density)
+    json["density"] = densityOf(*report.density);
   json["seeds"] = seedsOf(report);
   if (report.score)
     json["score"] = scoreOf(*report.score);

@@ -12,6 +12,7 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/hull_tightness.h>
+#include <pcl_cid/core/preparation.h>
 #include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
@@ -82,6 +83,8 @@ struct Report {
   std::size_t points_in = 0;
   std::size_t points_finite = 0;
   std::size_t points_grouped = 0;
+  /** What was found out about the density. */
+  std::optional<DensityDecision> density;
   /** Indices of the seeds in the input, and r_k for each (see SeedProposal). */
   pcl::Indices seeds;
   std::vector<float> coverage;

@@ -1,0 +1,61 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The options for raw scans: density, isolated points, seeding, colour.
+ */
+
+#pragma once
+
+#include "command_line.h"
+
+#include <pcl_cid/core/cid_parameters.h>
+#include <pcl_cid/core/preparation.h>
+#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/report.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+class Console;
+
+/** \brief RawScanSettings as the command line has them. */
+struct RawScanOptions {
+  std::size_t density = 0; ///< as in DensityWeight
+  float density_power = RawScanSettings().density_power;
+  int isolated_neighbors = RawScanSettings().isolated_neighbors;
+  std::size_t seeding = 0; ///< as in SeedingRule
+  float color = RawScanSettings().color_weight;
+};
+
+/** \brief Declare the options. */
+void
+declareRawScanOptions(RawScanOptions& options, CommandLine& command_line);
+
+/** \brief Their names: what works without these settings refuses them. */
+std::vector<std::string>
+rawScanOptionNames();
+
+/** \brief Hand the settings on to a class of the library.
+ *  \throws CIDException when colours are wanted that the cloud does not have */
+void
+configureForRawScan(const RawScanOptions& options,
+                    const LabelledCloud& cloud,
+                    CIDParameters& parameters);
+
+/** \brief The settings as they were used, for the report. */
+std::vector<Report::Parameter>
+parametersOf(const RawScanOptions& options);
+
+/** \brief Tell the user and the report what was decided about the density. */
+void
+describeDensity(const DensityDecision& decision,
+                const Console& console,
+                Report& report);
+
+} // namespace pcl_cid::tools
