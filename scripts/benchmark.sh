@@ -84,7 +84,7 @@ threads_of_curve() {
 measure_small_rooms() {
   local rounds=$1 points
   for points in 20000 200000; do
-    room "$rounds" "$points" segment:100:2 literal:100:2 sample:100:2 seeds:100:2 \
+    room "$rounds" "$points" segment:100:2 literal:100:2 defaults:100:2 sample:100:2 seeds:100:2 \
       merge:100:2 cut:100:2 extend:110:2 sample:110:2 segment:10:2 segment:30:2 segment:300:2 \
       segment:1000:2 "${curve[@]}"
     room 1 "$points" check:100:2
@@ -93,7 +93,7 @@ measure_small_rooms() {
 
 measure_large_rooms() {
   room 3 254456 segment:100:2
-  room 2 1000000 segment:100:2 literal:100:2 sample:100:2 extend:110:2 sample:110:2 \
+  room 2 1000000 segment:100:2 literal:100:2 defaults:100:2 sample:100:2 extend:110:2 sample:110:2 \
     segment:1000:2 "${curve[@]}"
   room 2 10000000 segment:100:2 literal:100:2
   room 1 1000000 check:100:2
@@ -103,7 +103,7 @@ measure_large_rooms() {
 measure_real_scans() {
   local scan
   for scan in office1 room_scan1 mosd_learn41; do
-    real_scan "$scan.pcd" segment:100:2 literal:100:2
+    real_scan "$scan.pcd" segment:100:2 literal:100:2 defaults:100:2
   done
 }
 

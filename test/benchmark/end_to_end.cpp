@@ -33,9 +33,9 @@ constexpr const char* about =
     "Measures pcl_cid, and the literal method, on one cloud.\n\n"
     "Usage: cid_end_to_end (CLOUD.pcd | --room even|sensor --points N) "
     "--measure WORK[:SEEDS[:THREADS]] ... [options]\n\n"
-    "WORK is segment, sample, extend, seeds, merge, cut, literal or check. Every "
-    "measurement "
-    "is a process of its own that begins with the loaded cloud; rounds take turns, so "
+    "WORK is segment, defaults, sample, extend, seeds, merge, cut, literal or check. "
+    "Every measurement is a process of its own that begins with the loaded cloud; "
+    "rounds take turns, so "
     "that a slow moment of the machine meets all of them. A literal one works with the "
     "seeds of a segment one with as many seeds, which must come before it.\n";
 

@@ -33,6 +33,8 @@ struct Work {
 
 /** \brief Whether there is such a work:
  *  \li `segment`: CIDLabelPropagation::segment, from the cloud to the labels
+ *  \li `defaults`: the same with the defaults, which look at the density of the scan;
+ *  all else is done with the settings of the paper
  *  \li `sample`: CIDSampler::sample, seeds and groups with the CID of every point
  *  \li `extend`: CIDSampler::extend by the last ten of the K seeds, nothing else
  *  \li `seeds`: Algorithm 1 on a field that is there already
