@@ -19,11 +19,11 @@ build_preset release
 step "The scan in parts: 100 seeds, each labelled once, and the labels of all points"
 mkdir -p build/demo
 run build/release/bin/pcl_cid_segment data/room.pcd build/demo/room_segmented.pcd \
-  --subsample 20000 --labels-from label --report build/demo/room_segmented.json
+  --labels-from label --report build/demo/room_segmented.json
 
 step "The scan as 30 convex hulls"
 run build/release/bin/pcl_cid_abstract data/room.pcd build/demo/room_hulls.obj \
-  --subsample 20000 --parts 30 --labels build/demo/room_parts.pcd \
+  --parts 30 --labels build/demo/room_parts.pcd \
   --report build/demo/room_hulls.json
 
 step "Results"
