@@ -43,16 +43,6 @@ struct ReadScan {
     return (*points.points)[i].getVector3fMap().cast<double>() + points.offset;
   }
 
-  bool
-  hasField(const std::string& name) const
-  {
-    const auto& fields = cloud.fields.fields;
-    return std::any_of(
-        fields.begin(), fields.end(), [&](const pcl::PCLPointField& field) {
-          return field.name == name;
-        });
-  }
-
   std::vector<std::uint32_t>
   numbers(const std::string& field) const
   {
@@ -172,7 +162,7 @@ compareScans(const ScanPair& pair,
   requireSamePoints(prediction, truth);
 
   scan.points = truth.points.finite;
-  scan.has_classes = truth.hasField(fields.semantic);
+  scan.has_classes = hasField(truth.cloud, fields.semantic);
   PointLabels predicted{prediction.numbers(fields.prediction), {}};
   PointLabels actual{truth.numbers(fields.truth), {}};
   if (scan.has_classes)
@@ -181,7 +171,7 @@ compareScans(const ScanPair& pair,
     actual.semantic.assign(actual.label.size(), 1);
   if (protocol != EvaluationProtocol::paper) {
     scan.class_rule = ClassRule::truth;
-    if (scan.has_classes && prediction.hasField(fields.semantic)) {
+    if (scan.has_classes && hasField(prediction.cloud, fields.semantic)) {
       predicted.semantic = classesOf(prediction, fields.semantic, known);
       scan.class_rule = ClassRule::prediction;
     }

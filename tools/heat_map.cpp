@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <climits>
 #include <limits>
-#include <numeric>
 #include <ostream>
 
 namespace pcl_cid::tools {
@@ -39,18 +38,6 @@ requirePoint(const CloudPoints& points, int index)
   return p;
 }
 
-PointSet
-finitePoints(const CloudPoints& cloud)
-{
-  Points points;
-  points.reserve(cloud.points->size());
-  for (const pcl::PointXYZ& point : *cloud.points)
-    points.push_back(point.getVector3fMap());
-  pcl::Indices source(points.size());
-  std::iota(source.begin(), source.end(), 0);
-  return PointSet(std::move(points), std::move(source));
-}
-
 /** One value for each point of the cloud. */
 std::vector<float>
 heatMap(const CloudPoints& cloud,
@@ -60,7 +47,7 @@ heatMap(const CloudPoints& cloud,
         Report& report)
 {
   console.begin("Preparing");
-  const PointSet finite = finitePoints(cloud);
+  const PointSet finite = finitePoints(*cloud.points);
   DistanceField::Options options;
   options.execution = {settings.threads, console.progress()};
   const DistanceField field(finite.points, options);

@@ -133,7 +133,7 @@ inputsOf(const EvaluateSettings& settings, const std::vector<ScanPair>& pairs)
         for (const std::string& path : scanFiles(scan, settings.class_table))
           inputs.push_back(path);
       }
-      catch (const CIDException&) {
+      catch (const std::exception&) {
         inputs.push_back(scan);
       }
   return inputs;
@@ -243,12 +243,16 @@ scoreAll(const std::vector<ScanPair>& pairs, Scoring& scoring)
     try {
       scoring.add(pair);
     }
-    catch (const CIDException& error) {
+    catch (const Interrupted&) {
+      throw;
+    }
+    catch (const std::exception& error) { // want of memory, too, stops one scan only
       if (pairs.size() == 1)
         throw;
+      const std::string message = messageOf(error);
       std::fflush(stdout);
-      std::fprintf(stderr, "%s: %s: %s\n", tool, pair.name.c_str(), error.what());
-      scoring.addFailure(pair, error.what());
+      std::fprintf(stderr, "%s: %s: %s\n", tool, pair.name.c_str(), message.c_str());
+      scoring.addFailure(pair, message);
     }
   }
 }

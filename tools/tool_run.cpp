@@ -117,14 +117,20 @@ declareSeedOptions(Settings& settings, CommandLine& command_line)
 }
 
 void
+declareClassTable(std::string& class_table, CommandLine& command_line)
+{
+  command_line.text("class-table",
+                    "FILE.tsv",
+                    class_table,
+                    "ScanNet's scannetv2-labels.combined.tsv, when INPUT is a scan of "
+                    "ScanNet; default: looked for in INPUT and the folders above it");
+}
+
+void
 declareRunOptions(Settings& settings, CommandLine& command_line)
 {
   command_line.group("Run");
-  command_line.text("class-table",
-                    "FILE.tsv",
-                    settings.class_table,
-                    "ScanNet's scannetv2-labels.combined.tsv, when INPUT is a scan of "
-                    "ScanNet; default: looked for in INPUT and the folders above it");
+  declareClassTable(settings.class_table, command_line);
   command_line.choice("label-type",
                       "TYPE",
                       {"U4", "I4", "F4"},
@@ -327,6 +333,14 @@ percent(double share)
   return printed("%.2f %%", 100.0 * share);
 }
 
+std::string
+messageOf(const std::exception& error)
+{
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "there is not enough memory for so many points; give it fewer";
+  return error.what();
+}
+
 int
 runTool(const std::string& tool, const std::function<void()>& work)
 {
@@ -347,11 +361,8 @@ runTool(const std::string& tool, const std::function<void()>& work)
     fail(tool, "interrupted; nothing was written");
     return 128 + caught_signal;
   }
-  catch (const std::bad_alloc&) {
-    return fail(tool, "there is not enough memory for so many points; give it fewer");
-  }
   catch (const std::exception& error) {
-    return fail(tool, error.what());
+    return fail(tool, messageOf(error));
   }
 }
 

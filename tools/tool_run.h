@@ -18,6 +18,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -57,6 +58,10 @@ struct Settings {
  *  among them. */
 void
 declareSeedOptions(Settings& settings, CommandLine& command_line);
+
+/** \brief Declare `--class-table`, for an INPUT that may be a scan of ScanNet. */
+void
+declareClassTable(std::string& class_table, CommandLine& command_line);
 
 /** \brief Declare the options that stand last: class table, label type, threads,
  *  report, quiet. */
@@ -121,6 +126,10 @@ private:
 
 /** \brief The user, or the system, asked the run to end. */
 class Interrupted : public std::exception {};
+
+/** \brief What to tell the user, and what to do about it. */
+std::string
+messageOf(const std::exception& error);
 
 /** \brief The files of the input, which outputs must never be written over. */
 std::vector<std::string>

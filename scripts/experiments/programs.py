@@ -25,7 +25,7 @@ class Programs:
         self.lock = threading.Lock()
 
     def run(self, program, *arguments):
-        """Run it to its end; gives what it printed."""
+        """Run it to its end; gives what it printed, and what it remarked."""
         command = [str(self.folder / program), *map(str, arguments)]
         with self.lock:
             if self.stopped:
@@ -41,7 +41,7 @@ class Programs:
         if process.returncode != 0:
             complaint = errors.strip() or f"ended with {process.returncode}"
             raise ProgramError(complaint.splitlines()[-1])
-        return output
+        return output, errors
 
     def stop(self):
         """End those that run, and start no more."""
@@ -51,7 +51,7 @@ class Programs:
                 process.terminate()
 
     def version(self):
-        return self.run("pcl_cid_segment", "--version").strip()
+        return self.run("pcl_cid_segment", "--version")[0].strip()
 
     def segment(self, *arguments):
         self.run("pcl_cid_segment", *arguments, "--threads", self.threads, "--quiet")
@@ -67,7 +67,7 @@ def read_json(path):
 def perturbed(scan, settings, programs, folder):
     """A PCD file of a scan, with noise and fewer points where the settings say so."""
     copy = folder / "scan.pcd"
-    remarks = programs.run("cid_perturb", scan.path, copy, "--noise", settings.get("noise", 0),
+    _, remarks = programs.run("cid_perturb", scan.path, copy, "--noise", settings.get("noise", 0),
                            "--keep", settings.get("keep", 1), "--random-seed", settings["start"])
     report = json.dumps({"remarks": remarks.splitlines()})
     (folder / "perturb.json").write_text(report, encoding="utf-8")

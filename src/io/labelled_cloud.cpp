@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <type_traits>
 
@@ -263,6 +264,24 @@ pointsOf(const LabelledCloud& cloud)
   result.points->height = cloud.fields.height;
   result.points->is_dense = result.finite == cloud.size();
   return result;
+}
+
+bool
+hasField(const LabelledCloud& cloud, const std::string& name)
+{
+  return findField(cloud.fields, name) != nullptr;
+}
+
+PointSet
+finitePoints(const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  Points points;
+  points.reserve(cloud.size());
+  for (const pcl::PointXYZ& point : cloud)
+    points.emplace_back(point.x, point.y, point.z);
+  pcl::Indices source(cloud.size());
+  std::iota(source.begin(), source.end(), 0);
+  return PointSet(std::move(points), std::move(source));
 }
 
 std::vector<std::uint32_t>

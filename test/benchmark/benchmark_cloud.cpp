@@ -13,7 +13,8 @@
 #include "even_sampler.h"
 #include "room_scene.h"
 
-#include <numeric>
+#include <pcl_cid/io/labelled_cloud.h>
+
 #include <stdexcept>
 
 #include <pcl/io/pcd_io.h>
@@ -66,18 +67,6 @@ loadCloud(const std::string& path)
   if (finitePoints(*cloud).size() == 0)
     throw std::runtime_error(path + " has no finite point; at least 1 is needed");
   return cloud;
-}
-
-PointSet
-finitePoints(const Cloud& cloud)
-{
-  Points points;
-  points.reserve(cloud.size());
-  for (const pcl::PointXYZ& p : cloud)
-    points.emplace_back(p.x, p.y, p.z);
-  pcl::Indices source(cloud.size());
-  std::iota(source.begin(), source.end(), 0);
-  return PointSet(std::move(points), std::move(source));
 }
 
 } // namespace pcl_cid::benchmarks

@@ -9,8 +9,6 @@
 
 #pragma once
 
-#include <pcl_cid/core/point_set.h>
-
 #include <cstddef>
 #include <string>
 
@@ -41,9 +39,5 @@ makeRoomCloud(RoomScan scan, std::size_t points);
  *  \throws std::runtime_error when it cannot be read or has no finite point */
 Cloud::Ptr
 loadCloud(const std::string& path);
-
-/** \brief The finite points of a cloud, as the classes of pcl_cid gather them. */
-PointSet
-finitePoints(const Cloud& cloud);
 
 } // namespace pcl_cid::benchmarks

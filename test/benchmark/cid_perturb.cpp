@@ -5,7 +5,7 @@
  * Copyright (c) 2026, pcl_cid contributors
  *
  * Not installed: adds noise to a scan and thins it, for the experiments. Remarks on the
- * scan go to the standard output.
+ * scan go to the standard error.
  */
 
 #include "perturbation.h"
@@ -29,6 +29,7 @@ constexpr const char* tool = "cid_perturb";
 struct PerturbSettings {
   std::string input;
   std::string output;
+  std::string class_table; ///< of ScanNet; empty: looked for
   test::Perturbation perturbation;
 };
 
@@ -58,6 +59,7 @@ readCommandLine(int argc, const char* const* argv, PerturbSettings& settings)
               {0, UINT64_MAX, "a whole number, 0 to 18446744073709551615"},
               settings.perturbation.seed,
               "of every random draw");
+  declareClassTable(settings.class_table, line);
   line.helpOptions();
   if (!line.parse(argc, argv, {&settings.input, &settings.output}))
     return false;
@@ -68,10 +70,11 @@ readCommandLine(int argc, const char* const* argv, PerturbSettings& settings)
 void
 perturb(const PerturbSettings& settings)
 {
-  OutputFiles outputs(scanFiles(settings.input));
+  OutputFiles outputs(scanFiles(settings.input, settings.class_table));
   outputs.announce(settings.output);
   ScanOptions options;
-  options.remark = [](const std::string& sentence) { std::cout << sentence << '\n'; };
+  options.remark = [](const std::string& sentence) { std::cerr << sentence << '\n'; };
+  options.class_table = settings.class_table;
   LabelledCloud cloud = readScan(settings.input, options);
   cloud.fields = test::perturbed(cloud.fields, settings.perturbation);
   outputs.write(settings.output, [&](std::ostream& stream) {

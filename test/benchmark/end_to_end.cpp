@@ -11,6 +11,8 @@
 #include "child_process.h"
 #include "measured_work.h"
 
+#include <pcl_cid/io/labelled_cloud.h>
+
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

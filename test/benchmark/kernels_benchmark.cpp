@@ -15,6 +15,7 @@
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/random.h>
 #include <pcl_cid/core/seed_proposal.h>
+#include <pcl_cid/io/labelled_cloud.h>
 
 #include <benchmark/benchmark.h>
 

@@ -18,6 +18,7 @@
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/preparation.h>
 #include <pcl_cid/core/random.h>
+#include <pcl_cid/io/labelled_cloud.h>
 
 #include <algorithm>
 #include <chrono>

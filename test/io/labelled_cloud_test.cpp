@@ -67,6 +67,27 @@ complaintAbout(Value value)
   return "";
 }
 
+TEST(HasField, IsAboutTheWholeName)
+{
+  const LabelledCloud cloud = threePoints();
+  EXPECT_TRUE(hasField(cloud, "x"));
+  EXPECT_FALSE(hasField(cloud, "xy"));
+  EXPECT_FALSE(hasField(cloud, ""));
+}
+
+TEST(FinitePoints, KeepTheirIndices)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.emplace_back(1.0f, 2.0f, 3.0f);
+  cloud.emplace_back(std::nanf(""), 0.0f, 0.0f);
+  cloud.emplace_back(4.0f, 5.0f, 6.0f);
+  const PointSet points = finitePoints(cloud);
+  EXPECT_EQ(points.source, (pcl::Indices{0, 2}));
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ((points.points[1].cast<double>() + points.origin),
+            Eigen::Vector3d(4, 5, 6));
+}
+
 TEST(LabelsOf, RefusesWhatIsNoLabel)
 {
   EXPECT_NE(complaintAbout<std::int8_t>(-1).find("point 1 is -1"), std::string::npos);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/lab_color.h>
+#include <pcl_cid/core/point_set.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
@@ -88,6 +89,14 @@ readCloud(const std::string& path);
  *  \throws CIDException when x, y or z is missing or neither float nor double */
 PCL_CID_IO_EXPORT CloudPoints
 pointsOf(const LabelledCloud& cloud);
+
+/** \brief Whether the cloud has a field of that name. */
+PCL_CID_IO_EXPORT bool
+hasField(const LabelledCloud& cloud, const std::string& name);
+
+/** \brief The finite points of a cloud, as the classes of pcl_cid gather them. */
+PCL_CID_IO_EXPORT PointSet
+finitePoints(const pcl::PointCloud<pcl::PointXYZ>& cloud);
 
 /** \brief Any field as labels, converted by its declared type; 0 where \a points are
  *  not finite.

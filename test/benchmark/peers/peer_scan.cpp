@@ -20,15 +20,6 @@
 namespace pcl_cid::benchmarks {
 namespace {
 
-bool
-hasField(const LabelledCloud& file, const std::string& name)
-{
-  const auto& fields = file.fields.fields;
-  return std::any_of(fields.begin(), fields.end(), [&](const pcl::PCLPointField& f) {
-    return f.name == name;
-  });
-}
-
 /** Only those that belong to finite points. */
 std::vector<std::uint32_t>
 select(const std::vector<std::uint32_t>& values, const pcl::Indices& source)
