@@ -8,8 +8,8 @@
 # OUT_FOLDER: the same command goes on where it was stopped.
 #
 # usage: experiments.sh EXPERIMENT DATASET_FOLDER OUT_FOLDER [--jobs N] [--starts 5]
-#                       [--seeds 100] [--scans N]
-#   EXPERIMENT   tables, seeds, purity, noise, heatmap, labels or all
+#                       [--seeds 100] [--scans N] [--methods LIST]
+#   EXPERIMENT   tables, seeds, purity, noise, heatmap, labels, peers or all
 
 set -euo pipefail
 started_in=$PWD
@@ -30,7 +30,7 @@ install_packages demo benchmark
 step "Libraries and programs"
 run cmake --preset release -DPCL_CID_BUILD_BENCHMARKS=ON
 run cmake --build --preset release --parallel "$(nproc)" \
-  --target pcl_cid_segment pcl_cid_abstract pcl_cid_evaluate cid_perturb
+  --target pcl_cid_segment pcl_cid_abstract pcl_cid_evaluate cid_perturb cid_peers
 
 step "Experiment"
 cd "$started_in"

@@ -14,6 +14,7 @@ from pathlib import Path
 from heatmap import HeatMap
 from labels import Labels
 from noise import Noise
+from peers import METHODS, Peers
 from programs import Programs
 from purity import Purity
 from report import write_whole
@@ -23,7 +24,7 @@ from tables import Tables
 from work import Store, do_all
 
 EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise(), HeatMap(),
-                                            Labels())}
+                                            Labels(), Peers())}
 
 
 def at_least_one(text):
@@ -31,6 +32,13 @@ def at_least_one(text):
     if number < 1:
         raise ValueError
     return number
+
+
+def methods(text):
+    chosen = text.split(",")
+    if not set(chosen) <= set(METHODS):
+        raise ValueError
+    return chosen
 
 
 def read_command_line(arguments):
@@ -51,6 +59,8 @@ def read_command_line(arguments):
                         help="seeds of a scan; default 100")
     parser.add_argument("--scans", metavar="N", type=at_least_one,
                         help="so many of the scans, evenly over the list; default: all")
+    parser.add_argument("--methods", metavar="LIST", type=methods, default=METHODS,
+                        help=f"of peers, with commas between; default {','.join(METHODS)}")
     parser.add_argument("--programs", metavar="FOLDER", type=Path, required=True,
                         help=argparse.SUPPRESS)
     options = parser.parse_args(arguments)

@@ -25,16 +25,22 @@ class Scan:
         """What pcl_cid_evaluate has to know about its classes."""
         return ["--classes", "scannet"] if self.is_scannet else []
 
+    def viewpoint_options(self):
+        """What cid_peers has to know about its sensors: a file beside a generated scan."""
+        return [option for file in truth_file(self.path) for option in ("--viewpoints", file)]
+
     def fingerprint(self):
         """Bytes and time of the newest change: another one is another scan. Of the table
-        of classes of ScanNet, too, which may be above the folder."""
+        of classes of ScanNet, too, which may be above the folder, and of the truth beside a
+        generated scan."""
         files = [self.path]
         if self.path.is_dir():
             files = [file for file in self.path.rglob("*") if file.is_file()]
         stats = [file.stat() for file in files]
         table = [] if not self.is_scannet else class_table(self.path)
         return [sum(each.st_size for each in stats), max(each.st_mtime_ns for each in stats),
-                *([each.stat().st_size, each.stat().st_mtime_ns] for each in table)]
+                *([each.stat().st_size, each.stat().st_mtime_ns]
+                  for each in (*table, *truth_file(self.path)))]
 
 
 def class_table(folder):
@@ -42,6 +48,12 @@ def class_table(folder):
     place = Path(os.path.abspath(folder))
     tables = [each / CLASS_TABLE for each in (place, *place.parents)]
     return [table for table in tables if table.exists()][:1]
+
+
+def truth_file(path):
+    """What is known of a generated scan beyond its fields; a list of one or none."""
+    file = path.with_name(path.stem + "_truth.json")
+    return [file] if file.exists() else []
 
 
 def natural(text):

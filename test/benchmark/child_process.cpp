@@ -21,6 +21,8 @@
 
 #include <errno.h> // program_invocation_short_name
 #include <malloc.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -87,6 +89,8 @@ int
 runChild(int pipe, const std::function<Measurement()>& measure)
 {
   try {
+    // Whoever stops this program stops the measurement, too.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     resetPeak();
     const std::size_t before = memoryStatus("VmRSS");
     const Measurement result = measure();

@@ -10,11 +10,13 @@
 #include "even_sampler.h"
 #include "room_set.h"
 #include "scan_cloud.h"
+#include "scan_positions.h"
 #include "tool_run.h"
 
 #include <pcl_cid/io/output_files.h>
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 #include <string>
 
@@ -44,9 +46,9 @@ readCommandLine(int argc, const char* const* argv, RoomSetSettings& settings)
       "cid_room_set FOLDER [options]",
       "Write generated rooms, each another one, as FOLDER/room_00.pcd and so on, with\n"
       "the fields x y z, label (the true instance) and semantic (its class: the 13 of\n"
-      "S3DIS, from 1 for ceiling to 13 for clutter). The same bytes for the same "
-      "options\n"
-      "on every machine; a smaller set is the beginning of a larger one.");
+      "S3DIS, from 1 for ceiling to 13 for clutter); FOLDER/room_00_truth.json says\n"
+      "where the sensor stood. The same bytes for the same options on every machine;\n"
+      "a smaller set is the beginning of a larger one.");
   line.group("Options");
   line.number("rooms",
               "N",
@@ -75,13 +77,21 @@ readCommandLine(int argc, const char* const* argv, RoomSetSettings& settings)
   return line.parse(argc, argv, {&settings.folder}, "FOLDER");
 }
 
+/** Without its extension. */
 std::string
 pathOf(const RoomSetSettings& settings, unsigned room)
 {
   const std::string number = std::to_string(room);
   const std::size_t digits = std::max<std::size_t>(2, number.size());
-  return settings.folder + "/room_" + std::string(digits - number.size(), '0') +
-         number + ".pcd";
+  return settings.folder + "/room_" + std::string(digits - number.size(), '0') + number;
+}
+
+/** The scan, and what its fields do not say, beside it. */
+std::array<std::string, 2>
+filesOf(const RoomSetSettings& settings, unsigned room)
+{
+  const std::string path = pathOf(settings, room);
+  return {path + ".pcd", path + "_truth.json"};
 }
 
 LabelledScan
@@ -100,12 +110,19 @@ writeRooms(const RoomSetSettings& settings)
   OutputFiles outputs({});
   outputs.announceFolder(settings.folder);
   for (unsigned room = 0; room < settings.rooms; ++room)
-    outputs.announce(pathOf(settings, room));
+    for (const std::string& file : filesOf(settings, room))
+      outputs.announce(file);
   for (unsigned room = 0; room < settings.rooms; ++room) {
+    const auto [cloud_file, truth_file] = filesOf(settings, room);
+    const LabelledScan scan = scanOf(settings, room);
     LabelledCloud cloud;
-    cloud.fields = cloudOf(scanOf(settings, room));
-    outputs.write(pathOf(settings, room), [&](std::ostream& stream) {
+    cloud.fields = cloudOf(scan);
+    outputs.write(cloud_file, [&](std::ostream& stream) {
       writeCloud(stream, cloud, cloud.format);
+    });
+    outputs.write(truth_file, [&](std::ostream& stream) {
+      stream << nlohmann::ordered_json{{"sensor_positions", positionsOf(scan)}}.dump(2)
+             << '\n';
     });
   }
   outputs.commit();

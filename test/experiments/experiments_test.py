@@ -27,6 +27,7 @@ sys.dont_write_bytecode = True
 import scores  # noqa: E402
 from clouds import labelled  # noqa: E402
 from heatmap import separation  # noqa: E402
+from peers_summary import Comparison  # noqa: E402
 from purity import contingency, purities  # noqa: E402
 from scans import Scan, natural, scans_of, spread  # noqa: E402
 from work import Item, Store, do_all  # noqa: E402
@@ -99,6 +100,30 @@ class ByHand(unittest.TestCase):
         self.assertEqual(spread(scans, None), scans)
         self.assertLess(natural("office_2"), natural("office_10"))
 
+    def test_best_of_a_peer(self):
+        def done(name, *runs):
+            scan = Scan(name, Path(name))
+            curve = {"curve": [[4, 0.8], [5, 0.8], [6, 0.9]]}
+            figures = [{"method": "peer", "settings": {"k": k}, "parts": parts, "purity": purity,
+                        "own_purity": purity / 2, "peak_bytes": 10**6} for k, parts, purity in runs]
+            figures.append({"method": "peer", "settings": {"k": 9}, "failure": "on purpose"})
+            result = {"instances": 5, "comparable": [4, 6], "runs": figures}
+            return [(Item(scan, "curve", {"tree": 10, "start": 0}, None), curve),
+                    (Item(scan, "peers", {"method": "peer"}, None), result)]
+        # CID is purer by -0.05, 0.2 and by 0.4, 0.1; of seven parts nothing is said.
+        comparison = Comparison([*done("a", (0, 5, 0.85), (1, 6, 0.7), (2, 7, 1.0)),
+                                 *done("b", (0, 5, 0.4), (1, 6, 0.8), (2, 4, 0.8))], 10)
+        picked, one = comparison.summary_rows()
+        self.assertAlmostEqual(picked["purity"], (0.85 + 0.8) / 2)
+        self.assertAlmostEqual(picked["CID"], (0.8 + 0.8) / 2)
+        self.assertEqual((one["setting"], one["scans"]), ("k 1", 2))
+        self.assertAlmostEqual(one["purity"], (0.7 + 0.8) / 2)
+        self.assertAlmostEqual(one["CID"], 0.9)
+        tally = comparison.tally_rows()[0]
+        self.assertEqual((tally["runs"], tally["failed"], tally["compared"]), (8, 2, 5))
+        self.assertEqual(tally["CID purer"], 3)
+        self.assertEqual(tally["CID purer than its own purity"], 5)
+        self.assertEqual(tally["scans where CID is purer than the best"], "0 of 2")
 
     def test_any_error_fails_its_scan_alone(self):
         def work(item, programs, folder):
@@ -301,6 +326,24 @@ class OnADataset(unittest.TestCase):
     def points(self):
         files = (self.room / "Annotations").iterdir()
         return sum(len(file.read_text().splitlines()) for file in files)
+
+    def test_peers(self):
+        arguments = ("peers", self.room, self.out, "--methods",
+                     "cid,euclidean,region_growing")
+        self.run_it(*arguments)
+        runs = rows_of(self.out / "peers_runs.csv")
+        purity = {method: [float(row["purity"]) for row in runs if row["method"] == method]
+                  for method in ("cid", "euclidean", "region_growing")}
+        self.assertEqual([len(each) for each in purity.values()], [2, 2, 24])  # starts; settings
+        for row in runs:
+            if row["parts"] == str(SEEDS):  # CID with as many parts is CID
+                self.assertAlmostEqual(float(row["CID"]), sum(purity["cid"]) / 2)
+        self.assertGreater(sum(purity["cid"]), sum(purity["euclidean"]))
+        self.assertIn("| euclidean |", (self.out / "peers.md").read_text())
+        self.assertTrue((self.out / "peers.png").exists())
+        before = stamps(self.out)
+        self.assertIn(f" {len(before)} of them done before", self.run_it(*arguments).stdout)
+        self.assertEqual(stamps(self.out), before)
 
     def test_heat_map(self):
         self.run_it("heatmap", self.dataset, self.out, "--scans", "2")

@@ -21,6 +21,7 @@
 
 #include "depth_sensor.h"
 #include "scan_cloud.h"
+#include "scan_positions.h"
 
 namespace pcl_cid::test {
 namespace {
@@ -103,14 +104,11 @@ describeInstances(const RoomScene& scene, const LabelledScan& scan)
 Json
 describe(const RoomScene& scene, const LabelledScan& scan)
 {
-  Json positions = Json::array();
-  for (const Eigen::Vector3d& p : scan.sensor_positions)
-    positions.push_back({p.x(), p.y(), p.z()});
   return {{"cloud", "room.pcd"},
           {"room_options", describe(sampleRoomOptions())},
           {"sensor_options", describe(sampleSensorOptions())},
           {"room_size", {scene.size.x(), scene.size.y(), scene.size.z()}},
-          {"sensor_positions", positions},
+          {"sensor_positions", positionsOf(scan)},
           {"class_names", scan.class_names},
           {"instances", describeInstances(scene, scan)}};
 }

@@ -38,7 +38,7 @@ configure(const PeerScan& scan,
   parameters.setNumberOfThreads(settings.threads);
 }
 
-/** Purities below K: one merge tree, cut to each number. */
+/** Purities below the size of the tree: one merge tree, cut to each number. */
 void
 addCutPurities(const PeerScan& scan,
                const SeedSettings& settings,
@@ -49,7 +49,7 @@ addCutPurities(const PeerScan& scan,
   CIDConvexAbstraction<pcl::PointXYZ> abstraction;
   configure(scan, settings, random_seed, abstraction);
   abstraction.setInputCloud(scan.cloud);
-  abstraction.setNumberOfSeeds(settings.seeds);
+  abstraction.setNumberOfSeeds(settings.treeSeeds());
   std::vector<pcl::PointIndices> at_elbow;
   abstraction.segment(at_elbow);
   for (const std::size_t n : parts)
@@ -58,7 +58,7 @@ addCutPurities(const PeerScan& scan,
                        scan);
 }
 
-/** Purities from K on: one traversal, which is extended from number to number. */
+/** Purities from there on: one traversal, which is extended from number to number. */
 void
 addSeedPurities(const PeerScan& scan,
                 const SeedSettings& settings,
@@ -89,9 +89,10 @@ purityOfCID(const PeerScan& scan,
             const SeedSettings& settings,
             const std::set<std::size_t>& parts)
 {
-  const auto from_k = parts.lower_bound(static_cast<std::size_t>(settings.seeds));
-  const std::set<std::size_t> cuts(parts.begin(), from_k);
-  const std::set<std::size_t> seeds(from_k, parts.end());
+  const auto from_tree =
+      parts.lower_bound(static_cast<std::size_t>(settings.treeSeeds()));
+  const std::set<std::size_t> cuts(parts.begin(), from_tree);
+  const std::set<std::size_t> seeds(from_tree, parts.end());
   std::map<std::size_t, double> purity;
   for (const std::uint64_t random_seed : settings.random_seeds) {
     if (!cuts.empty())

@@ -18,8 +18,8 @@
 namespace pcl_cid::benchmarks {
 
 /** \brief For each number of parts the purity of CID with as many, at full resolution:
- *  below the K of the settings, the merge tree of K groups cut to that number, as in
- *  section V.B of the paper; from K on, that many seeds and their groups, not merged.
+ *  below the number T of groups of the merge tree, that tree cut to that number, as in
+ *  section V.B of the paper; from T on, that many seeds and their groups, not merged.
  *  \param[in] parts numbers of parts, each at least 1
  *  \return the mean over the random seeds of the settings */
 std::map<std::size_t, double>

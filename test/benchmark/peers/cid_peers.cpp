@@ -7,77 +7,130 @@
  * CID beside other methods, on the same scan in the same run.
  */
 
+#include "command_line.h"
 #include "comparison.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/output_files.h>
 
-#include <charconv>
-#include <cstdlib>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <boost/program_options.hpp>
 
 namespace pcl_cid::benchmarks {
 namespace {
 
-namespace po = boost::program_options;
+using tools::CommandLine;
+using tools::UsageError;
 
-constexpr const char* about =
-    "Compares CID with other methods of segmentation on one labelled scan.\n\n"
-    "Usage: cid_peers SCAN.pcd [options]\n\n"
-    "SCAN (PCD or PLY) has its true instances in the field `label` and, perhaps, its\n"
-    "classes in `semantic`. Every run of every method is a process of its own. "
-    "Methods:\n"
-    "  cid             CIDSampler at full resolution\n"
-    "  cid20k          the same on a draw of 20,000 points\n"
-    "  euclidean       farthest-first sampling, Euclidean distance, the same start\n"
-    "  lccp            pcl::SupervoxelClustering and pcl::LCCPSegmentation\n"
-    "  region_growing  pcl::RegionGrowing\n"
-    "  wcseg           weakly convex components by lines of sight\n"
-    "The last three are tried with many settings; doc/peers.md says which is taken.\n";
-
+constexpr const char* tool = "cid_peers";
 constexpr int paper_points = 20000;
+
+/** What peers are compared with. */
+enum class Compare : std::size_t { parts, curve, none };
 
 struct Settings : SeedSettings {
   std::string scan;
   std::string methods = "cid,cid20k,euclidean,lccp,region_growing,wcseg";
-  std::string random_seed_list = "0";
-  std::vector<std::string> viewpoints;
+  std::uint64_t random_seed = 0;
+  unsigned starts = 1;
+  std::string viewpoints;
+  std::size_t compare = 0; ///< as in Compare
   std::string out;
   std::string report;
+
+  Compare
+  comparison() const
+  {
+    return static_cast<Compare>(compare);
+  }
 };
 
-po::options_description
-describe(Settings& settings)
+void
+declareMethodOptions(Settings& settings, CommandLine& line)
 {
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("scan", po::value(&settings.scan)->required(), "a PCD or PLY file");
-  add("methods",
-      po::value(&settings.methods),
-      "which methods, with commas between; default all");
-  add("seeds", po::value(&settings.seeds), "K, for methods with seeds; default 100");
-  add("random-seeds",
-      po::value(&settings.random_seed_list),
-      "a run of each method with seeds for each of these, with commas between; default "
-      "0");
-  add("viewpoints",
-      po::value(&settings.viewpoints)->multitoken(),
-      "X,Y,Z ...: where sensors stood; default the one that the file names");
-  add("threads", po::value(&settings.threads), "of CID; default 1, as all others");
-  add("out", po::value(&settings.out), "folder for the labels of each method");
-  add("report", po::value(&settings.report), "file for all runs, as JSON");
-  add("help,h", "print this and exit");
-  return options;
+  const tools::Allowed<int> numbers = {1, 1000000, "a whole number, 1 to 1000000"};
+  line.group("Methods");
+  line.text("methods",
+            "LIST",
+            settings.methods,
+            "with commas between, or none; default: all");
+  line.number("seeds", "K", numbers, settings.seeds, "of methods with seeds");
+  line.number("random-seed",
+              "S",
+              {0, UINT64_MAX, "a whole number, 0 to 18446744073709551615"},
+              settings.random_seed,
+              "of methods with seeds");
+  line.number("starts",
+              "N",
+              {1u, 1000u, "a whole number, 1 to 1000"},
+              settings.starts,
+              "runs of methods with seeds: from random seeds S, S + 1 ...");
+  line.text("viewpoints",
+            "FILE",
+            settings.viewpoints,
+            "where sensors stood: `sensor_positions` in a JSON file; default: the pose "
+            "in SCAN");
+  line.number("threads",
+              "T",
+              {0u, 1024u, "a whole number, 0 to 1024; 0 takes all cores"},
+              settings.threads,
+              "of CID; the others have one");
+}
+
+void
+declareComparison(Settings& settings, CommandLine& line)
+{
+  line.group("Comparison");
+  line.choice("compare",
+              "WITH",
+              {"parts", "curve", "none"},
+              settings.compare,
+              "CID with as many parts as each run; all of its numbers of parts, in the "
+              "report only; or nothing");
+  line.optionalNumber("tree-seeds",
+                      "K",
+                      {1, 1000000, "a whole number, 1 to 1000000"},
+                      settings.tree_seeds,
+                      "groups of the merge tree that CID is cut from; default: as many "
+                      "as --seeds");
+  line.text("out", "FOLDER", settings.out, "for the labels of each method");
+  line.text("report", "FILE", settings.report, "all runs as JSON");
+  line.helpOptions();
+}
+
+bool
+readCommandLine(int argc, const char* const* argv, Settings& settings)
+{
+  CommandLine line(
+      tool,
+      "cid_peers SCAN [options]",
+      "Compare CID with other methods of segmentation on one labelled scan.\n"
+      "SCAN (PCD or PLY) has its true instances in the field `label` and, perhaps, "
+      "its\n"
+      "classes in `semantic`. Every run of every method is a process of its own.\n"
+      "Methods:\n"
+      "  cid             CIDSampler at full resolution\n"
+      "  cid20k          the same on a draw of 20,000 points\n"
+      "  euclidean       farthest-first sampling, Euclidean distance, the same start\n"
+      "  lccp            pcl::SupervoxelClustering and pcl::LCCPSegmentation\n"
+      "  region_growing  pcl::RegionGrowing\n"
+      "  wcseg           weakly convex components by lines of sight\n"
+      "The last three are tried with many settings; doc/peers.md says which is taken.");
+  declareMethodOptions(settings, line);
+  declareComparison(settings, line);
+  if (!line.parse(argc, argv, {&settings.scan}, "SCAN"))
+    return false;
+  settings.random_seeds.clear();
+  for (unsigned start = 0; start < settings.starts; ++start)
+    settings.random_seeds.push_back(settings.random_seed + start);
+  return true;
 }
 
 std::vector<std::string>
@@ -90,63 +143,11 @@ splitAtCommas(const std::string& text)
   return parts;
 }
 
-/** One number, and nothing else. */
-template <typename Number>
-Number
-parseNumber(const std::string& option, const std::string& text)
-{
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || rest != end)
-    throw std::invalid_argument("--" + option + " has '" + text +
-                                "', which is not such a number; see --help");
-  return number;
-}
-
-std::vector<Eigen::Vector3f>
-parseViewpoints(const std::vector<std::string>& texts)
-{
-  std::vector<Eigen::Vector3f> viewpoints;
-  for (const std::string& text : texts) {
-    const std::vector<std::string> numbers = splitAtCommas(text);
-    if (numbers.size() != 3)
-      throw std::invalid_argument("--viewpoints has '" + text +
-                                  "'; it must be X,Y,Z without blanks");
-    viewpoints.emplace_back(parseNumber<float>("viewpoints", numbers[0]),
-                            parseNumber<float>("viewpoints", numbers[1]),
-                            parseNumber<float>("viewpoints", numbers[2]));
-  }
-  return viewpoints;
-}
-
-void
-read(int argc, char** argv, Settings& settings)
-{
-  const po::options_description options = describe(settings);
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv)
-                .options(options)
-                .positional(po::positional_options_description().add("scan", 1))
-                .run(),
-            values);
-  if (values.count("help") != 0) {
-    std::cout << about << '\n' << options;
-    std::exit(0);
-  }
-  po::notify(values);
-  if (settings.seeds < 1)
-    throw std::invalid_argument("--seeds must be at least 1");
-  settings.random_seeds.clear();
-  for (const std::string& text : splitAtCommas(settings.random_seed_list))
-    settings.random_seeds.push_back(parseNumber<std::uint64_t>("random-seeds", text));
-  if (settings.random_seeds.empty())
-    throw std::invalid_argument("--random-seeds is empty; it must name at least one");
-}
-
 std::vector<PeerRun>
 runsOf(const std::string& method, const PeerScan& scan, const Settings& settings)
 {
+  if (method == "none")
+    return {};
   if (method == "cid")
     return cidRuns(scan, settings, 0);
   if (method == "cid20k")
@@ -159,8 +160,7 @@ runsOf(const std::string& method, const PeerScan& scan, const Settings& settings
     return regionGrowingRuns(scan);
   if (method == "wcseg")
     return wcsegRuns(scan);
-  throw std::invalid_argument("--methods has '" + method +
-                              "', which is not a method; see --help");
+  throw UsageError("--methods has '" + method + "', which is not a method");
 }
 
 /** scan_cid_0.pcd, scan_lccp.pcd. */
@@ -178,7 +178,8 @@ fileFor(const PeerRow& row, const Settings& settings)
 void
 writeResults(const PeerScan& scan,
              const Settings& settings,
-             const std::vector<PeerRow>& rows)
+             const std::vector<PeerRow>& rows,
+             const std::map<std::size_t, double>& curve)
 {
   if (!settings.out.empty()) {
     std::filesystem::create_directories(settings.out);
@@ -190,17 +191,18 @@ writeResults(const PeerScan& scan,
     OutputFiles outputs({settings.scan});
     outputs.announce(settings.report);
     outputs.write(settings.report,
-                  [&](std::ostream& s) { s << toJson(scan, settings, rows); });
+                  [&](std::ostream& s) { s << toJson(scan, settings, rows, curve); });
     outputs.commit();
   }
 }
 
-/** Say where a method cannot be compared, and how often it was better. */
+/** Say where a method failed or cannot be compared, and how often it was better. */
 void
 printRemarks(const PeerScan& scan, const std::vector<PeerRow>& rows)
 {
   struct Tally {
     std::size_t runs = 0;
+    std::size_t failed = 0;
     std::size_t compared = 0;
     std::size_t purer = 0;
   };
@@ -209,39 +211,58 @@ printRemarks(const PeerScan& scan, const std::vector<PeerRow>& rows)
     if (!row.hasSeeds()) {
       Tally& tally = tallies[row.run.method];
       ++tally.runs;
+      tally.failed += row.failure.empty() ? 0 : 1;
       tally.compared += row.cid_purity ? 1 : 0;
       tally.purer += row.cid_purity && row.margin() > 0.0 ? 1 : 0;
     }
   const ComparableParts comparable = comparableParts(scan);
   for (const auto& [method, tally] : tallies)
-    std::cout << method << ": " << tally.runs << " settings, " << tally.compared
-              << " with " << comparable.least << " to " << comparable.most
-              << " parts, of which " << tally.purer << " purer than CID\n";
+    std::cout << method << ": " << tally.runs << " settings, " << tally.failed
+              << " failed, " << tally.compared << " compared, with " << comparable.least
+              << " to " << comparable.most << " parts, of which " << tally.purer
+              << " purer than CID\n";
+}
+
+/** One after the other, as each is measured by itself. */
+std::vector<PeerRow>
+measureAll(const PeerScan& scan, std::vector<PeerRun> runs)
+{
+  std::vector<PeerRow> rows;
+  for (PeerRun& run : runs) {
+    rows.push_back(measureAndScore(scan, std::move(run)));
+    const PeerRow& row = rows.back();
+    std::cerr << row.run.method << ' ' << settingsAsText(row.run) << ": ";
+    if (row.failure.empty())
+      std::cerr << row.measured.seconds << " s of CPU, " << row.parts
+                << " parts, purity " << row.purity << std::endl;
+    else
+      std::cerr << row.failure << std::endl;
+  }
+  return rows;
 }
 
 void
 comparePeers(const Settings& settings)
 {
-  const PeerScan scan =
-      readPeerScan(settings.scan, parseViewpoints(settings.viewpoints));
+  std::vector<Eigen::Vector3f> viewpoints;
+  if (!settings.viewpoints.empty())
+    viewpoints = readViewpoints(settings.viewpoints);
+  const PeerScan scan = readPeerScan(settings.scan, viewpoints);
   std::vector<PeerRun> runs;
   for (const std::string& method : splitAtCommas(settings.methods))
     for (PeerRun& run : runsOf(method, scan, settings))
       runs.push_back(std::move(run));
-  std::vector<PeerRow> rows;
-  for (PeerRun& run : runs) {
-    rows.push_back(measureAndScore(scan, std::move(run)));
-    const PeerRow& row = rows.back();
-    std::cerr << row.run.method << ' ' << settingsAsText(row.run) << ": "
-              << row.measured.seconds << " s, " << row.parts << " parts, purity "
-              << row.purity << std::endl;
-  }
-  compareWithCID(scan, settings, rows);
+  std::vector<PeerRow> rows = measureAll(scan, std::move(runs));
+  std::map<std::size_t, double> curve;
+  if (settings.comparison() == Compare::parts)
+    compareWithCID(scan, settings, rows);
+  else if (settings.comparison() == Compare::curve)
+    curve = cidCurve(scan, settings);
   std::cout << settings.scan << ": " << scan.cloud->size() << " points, "
             << countLabels(scan.truth.label) << " instances\n\n"
             << toTable(rows) << '\n';
   printRemarks(scan, rows);
-  writeResults(scan, settings, rows);
+  writeResults(scan, settings, rows, curve);
 }
 
 } // namespace
@@ -251,13 +272,14 @@ int
 main(int argc, char** argv)
 {
   using namespace pcl_cid::benchmarks;
+  // Unlike the tools, it may be stopped by a signal at any time.
   try {
     Settings settings;
-    read(argc, argv, settings);
-    comparePeers(settings);
+    if (readCommandLine(argc, argv, settings))
+      comparePeers(settings);
   }
-  catch (const std::logic_error& error) {
-    std::cerr << "cid_peers: " << error.what() << '\n';
+  catch (const UsageError& error) {
+    std::cerr << "cid_peers: " << error.what() << "; see cid_peers --help\n";
     return 2;
   }
   catch (const std::exception& error) {

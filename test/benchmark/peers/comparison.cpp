@@ -12,20 +12,20 @@
 #include "cid_curve.h"
 
 #include <algorithm>
-#include <chrono>
-#include <map>
+#include <ctime>
 #include <set>
+#include <stdexcept>
 
 namespace pcl_cid::benchmarks {
 namespace {
 
+/** In time of the processor: that of the clock is others', too, on a shared machine. */
 Measurement
 timed(const std::function<Measurement()>& work)
 {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begun = Clock::now();
+  const std::clock_t begun = std::clock();
   Measurement result = work();
-  result.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+  result.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   return result;
 }
 
@@ -35,8 +35,14 @@ PeerRow
 measureAndScore(const PeerScan& scan, PeerRun run)
 {
   PeerRow row;
-  row.measured = measureInChild([&] { return timed(run.work); });
   row.run = std::move(run);
+  try {
+    row.measured = measureInChild([&] { return timed(row.run.work); });
+  }
+  catch (const std::runtime_error& error) {
+    row.failure = error.what();
+    return row;
+  }
   row.labels = std::move(row.measured.labels);
   row.parts = countLabels(row.labels);
   row.labelled =
@@ -57,6 +63,16 @@ comparableParts(const PeerScan& scan)
 {
   const std::size_t instances = countLabels(scan.truth.label);
   return {std::max<std::size_t>(instances / 2, 1), 5 * instances};
+}
+
+std::map<std::size_t, double>
+cidCurve(const PeerScan& scan, const SeedSettings& settings)
+{
+  const ComparableParts comparable = comparableParts(scan);
+  std::set<std::size_t> parts;
+  for (std::size_t n = comparable.least; n <= comparable.most; ++n)
+    parts.insert(n);
+  return purityOfCID(scan, settings, parts);
 }
 
 void

@@ -12,6 +12,7 @@
 #include "peer_method.h"
 #include "peer_scores.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ namespace pcl_cid::benchmarks {
 /** \brief A run with its figures. */
 struct PeerRow {
   PeerRun run;
+  /** Why it has no figures; empty when it has. */
+  std::string failure;
   Measurement measured;
   std::size_t parts = 0;
   /** Share of the points that the method gave a label. */
@@ -53,8 +56,8 @@ struct PeerRow {
   }
 };
 
-/** \brief Run a method in a process of its own, and score what comes out. This process
- *  stays without threads. */
+/** \brief Run a method in a process of its own, and score what comes out; when it
+ * fails, the row says so. This process stays without threads. */
 PeerRow
 measureAndScore(const PeerScan& scan, PeerRun run);
 
@@ -83,15 +86,21 @@ compareWithCID(const PeerScan& scan,
                const SeedSettings& settings,
                std::vector<PeerRow>& rows);
 
-/** \brief "voxel_resolution=0.03 k_factor=1". */
+/** \brief The purity of CID at every comparable number of parts, see purityOfCID(). */
+std::map<std::size_t, double>
+cidCurve(const PeerScan& scan, const SeedSettings& settings);
+
+/** \brief "voxel_spacings=2.0 k_factor=1". */
 std::string
 settingsAsText(const PeerRun& run);
 
-/** \brief All rows as JSON. */
+/** \brief All rows as JSON.
+ *  \param[in] curve see cidCurve(); empty where it was not asked for */
 std::string
 toJson(const PeerScan& scan,
        const SeedSettings& settings,
-       const std::vector<PeerRow>& rows);
+       const std::vector<PeerRow>& rows,
+       const std::map<std::size_t, double>& curve);
 
 /** \brief The rows with seeds, and the best ones of the others, as a table. */
 std::string

@@ -42,7 +42,11 @@ rowAsJson(const PeerRow& row)
   Json json = {{"method", row.run.method}, {"settings", Json::object()}};
   for (const Report::Parameter& setting : row.run.settings)
     json["settings"][setting.name] = valueOf(setting);
-  json["seconds"] = row.measured.seconds;
+  if (!row.failure.empty()) {
+    json["failure"] = row.failure;
+    return json;
+  }
+  json["cpu_seconds"] = row.measured.seconds;
   json["peak_bytes"] = row.measured.peak_bytes;
   json["parts"] = row.parts;
   json["labelled"] = row.labelled;
@@ -82,7 +86,8 @@ settingsAsText(const PeerRun& run)
 std::string
 toJson(const PeerScan& scan,
        const SeedSettings& settings,
-       const std::vector<PeerRow>& rows)
+       const std::vector<PeerRow>& rows,
+       const std::map<std::size_t, double>& curve)
 {
   const ComparableParts comparable = comparableParts(scan);
   Json json = {{"version", PCL_CID_VERSION},
@@ -90,9 +95,13 @@ toJson(const PeerScan& scan,
                {"points", scan.cloud->size()},
                {"instances", countLabels(scan.truth.label)},
                {"seeds", settings.seeds},
+               {"tree_seeds", settings.treeSeeds()},
                {"random_seeds", settings.random_seeds},
                {"comparable_parts", {comparable.least, comparable.most}},
+               {"cid_curve", Json::array()},
                {"runs", Json::array()}};
+  for (const auto& [parts, purity] : curve)
+    json["cid_curve"].push_back({{"parts", parts}, {"purity", purity}});
   for (const PeerRow& row : rows)
     json["runs"].push_back(rowAsJson(row));
   return json.dump(2) + "\n";
@@ -105,7 +114,7 @@ toTable(const std::vector<PeerRow>& rows)
   table << "| method | parts | labelled | own purity | purity | CID's purity at as "
            "many | AP25 | "
            "AP50 | AP75 | "
-           "mean IoU | s | peak MB | settings |\n"
+           "mean IoU | CPU s | peak MB | settings |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const PeerRow& row : rows) {
     if (!row.hasSeeds() && !row.is_best)

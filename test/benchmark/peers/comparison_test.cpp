@@ -17,7 +17,10 @@
 #include <pcl_cid/cid_sampler.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -181,6 +184,18 @@ TEST(CIDCurve, IsThatOfTheClasses)
   }
 }
 
+TEST(CIDCurve, TheTreeMayHaveAnotherNumberOfGroupsThanMethodsHaveSeeds)
+{
+  const PeerScan scan = smallRoom(2000);
+  SeedSettings settings;
+  settings.seeds = 10;
+  settings.tree_seeds = 15;
+  SeedSettings as_many;
+  as_many.seeds = 15;
+  EXPECT_EQ(purityOfCID(scan, settings, {5, 12, 20}),
+            purityOfCID(scan, as_many, {5, 12, 20}));
+}
+
 TEST(Comparison, TheBestOfAPeerIsTheOneFarthestAheadOfCIDAmongComparableOnes)
 {
   const PeerScan scan = smallRoom(2000);
@@ -205,6 +220,33 @@ TEST(Comparison, TheBestOfAPeerIsTheOneFarthestAheadOfCIDAmongComparableOnes)
     EXPECT_EQ(rows[k].is_best, k == 2);
     EXPECT_EQ(rows[k].cid_purity.has_value(), comparable.contains(rows[k].parts));
   }
+}
+
+TEST(Comparison, ARunThatFailsSaysSoAndHasNoFigures)
+{
+  const PeerScan scan = smallRoom(2000);
+  const PeerRow row = measureAndScore(scan, {"peer", {}, []() -> Measurement {
+                                               throw std::runtime_error("on purpose");
+                                             }});
+  EXPECT_FALSE(row.failure.empty());
+  std::vector<PeerRow> rows = {row};
+  compareWithCID(scan, {}, rows);
+  EXPECT_FALSE(rows[0].cid_purity.has_value());
+  EXPECT_FALSE(rows[0].is_best);
+}
+
+TEST(Comparison, TheCurveHasEveryComparableNumberOfParts)
+{
+  const PeerScan scan = smallRoom(2000);
+  SeedSettings settings;
+  settings.seeds = 10;
+  const ComparableParts comparable = comparableParts(scan);
+  const std::map<std::size_t, double> curve = cidCurve(scan, settings);
+  ASSERT_EQ(curve.size(), comparable.most - comparable.least + 1);
+  EXPECT_EQ(curve.begin()->first, comparable.least);
+  const std::set<std::size_t> ends = {comparable.least, comparable.most};
+  for (const auto& [parts, purity] : purityOfCID(scan, settings, ends))
+    EXPECT_DOUBLE_EQ(curve.at(parts), purity);
 }
 
 TEST(ChildProcess, SendsSeedsAndLabels)

@@ -18,11 +18,11 @@ namespace pcl_cid::benchmarks {
 namespace {
 
 struct LCCPSettings {
-  double voxel;        ///< edge of a voxel, metres
-  double seed;         ///< edge of a supervoxel, metres
-  double angle;        ///< concavity tolerance, degrees
-  unsigned int least;  ///< supervoxels below which a part joins a neighbour
-  unsigned int common; ///< neighbours that must be convex, too ("extended convexity")
+  double voxel_spacings; ///< edge of a voxel in point spacings
+  double seed_voxels;    ///< edge of a supervoxel in voxels
+  double angle;          ///< concavity tolerance, degrees
+  unsigned int least;    ///< supervoxels below which a part joins a neighbour
+  unsigned int common;   ///< neighbours that must be convex, too ("extended convexity")
 };
 
 // What PCL's example of LCCP (examples/segmentation) begins with.
@@ -45,10 +45,11 @@ aboutViewpoints(const PeerScan& scan)
 }
 
 Measurement
-segment(const PeerScan& scan, const LCCPSettings& settings)
+segment(const PeerScan& scan, const LCCPSettings& settings, double spacing)
 {
-  const auto voxel = static_cast<float>(settings.voxel);
-  const auto seed = static_cast<float>(settings.seed);
+  const auto voxel = static_cast<float>(settings.voxel_spacings * spacing);
+  const auto seed =
+      static_cast<float>(settings.seed_voxels * settings.voxel_spacings * spacing);
   // The normals are those that it estimates from its voxels.
   pcl::SupervoxelClustering<pcl::PointXYZ> clustering(voxel, seed);
   // Voxels that grow with the distance from the sensor, for images of a camera only.
@@ -85,8 +86,8 @@ segment(const PeerScan& scan, const LCCPSettings& settings)
 std::vector<Report::Parameter>
 describe(const LCCPSettings& settings)
 {
-  return {{"voxel_resolution", settings.voxel},
-          {"seed_resolution", settings.seed},
+  return {{"voxel_spacings", settings.voxel_spacings},
+          {"seed_voxels", settings.seed_voxels},
           {"concavity_tolerance", settings.angle},
           {"min_segment_size", std::int64_t(settings.least)},
           {"k_factor", std::int64_t(settings.common)}};
@@ -103,11 +104,10 @@ lccpRuns(const PeerScan& scan, double spacing)
       for (const double angle : {5.0, 10.0, 20.0})
         for (const unsigned int least : {0u, 3u})
           for (const unsigned int common : {0u, 1u}) {
-            const double voxel = voxel_spacings * spacing;
             const LCCPSettings settings{
-                voxel, seed_voxels * voxel, angle, least, common};
+                voxel_spacings, seed_voxels, angle, least, common};
             runs.push_back({"lccp", describe(settings), [=, &scan] {
-                              return segment(scan, settings);
+                              return segment(scan, settings, spacing);
                             }});
           }
   return runs;

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,17 @@ struct PeerRun {
 /** \brief How methods with seeds are run. */
 struct SeedSettings {
   int seeds = 100;
+  /** Groups of the merge tree that fewer parts are cut from; not set: as many as
+   *  `seeds`. */
+  std::optional<int> tree_seeds;
   std::vector<std::uint64_t> random_seeds = {0};
   unsigned int threads = 1;
+
+  int
+  treeSeeds() const
+  {
+    return tree_seeds.value_or(seeds);
+  }
 };
 
 /** \brief The point that every method with seeds begins at. */
@@ -59,7 +69,8 @@ euclideanRuns(const PeerScan& scan, const SeedSettings& settings);
 
 /** \brief pcl::SupervoxelClustering and pcl::LCCPSegmentation, all settings that are
  *  tried (`lccp`).
- *  \param[in] spacing see pointSpacing() */
+ *  \param[in] spacing see pointSpacing(); lengths of the settings are multiples of it
+ */
 std::vector<PeerRun>
 lccpRuns(const PeerScan& scan, double spacing);
 

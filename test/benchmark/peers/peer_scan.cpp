@@ -13,9 +13,12 @@
 #include <pcl_cid/io/output_files.h>
 
 #include <algorithm>
+#include <fstream>
 #include <ostream>
 
 #include <pcl/common/point_tests.h>
+
+#include <nlohmann/json.hpp>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -31,6 +34,23 @@ select(const std::vector<std::uint32_t>& values, const pcl::Indices& source)
 }
 
 } // namespace
+
+std::vector<Eigen::Vector3f>
+readViewpoints(const std::string& path)
+{
+  std::vector<Eigen::Vector3f> viewpoints;
+  try {
+    std::ifstream file(path);
+    for (const nlohmann::json& p : nlohmann::json::parse(file).at("sensor_positions"))
+      viewpoints.emplace_back(
+          p.at(0).get<float>(), p.at(1).get<float>(), p.at(2).get<float>());
+  }
+  catch (const nlohmann::json::exception& error) {
+    throw CIDException(path + ": is no JSON file with `sensor_positions`, a list of " +
+                       "[x, y, z]: " + error.what());
+  }
+  return viewpoints;
+}
 
 PeerScan
 readPeerScan(const std::string& path, const std::vector<Eigen::Vector3f>& viewpoints)
