@@ -30,6 +30,14 @@ describe(const SeedSettings& settings, std::uint64_t random_seed)
   return {{"seeds", std::int64_t(settings.seeds)}, {"random_seed", random_seed}};
 }
 
+void
+configureAsInThePaper(int subsample, CIDParameters& parameters)
+{
+  parameters.setSubsample(subsample);
+  parameters.setDensityWeight(DensityWeight::off);
+  parameters.setIsolatedNeighbors(0);
+}
+
 } // namespace
 
 std::vector<PeerRun>
@@ -45,7 +53,8 @@ cidRuns(const PeerScan& scan, const SeedSettings& settings, int subsample)
       CIDSampler<pcl::PointXYZ> sampler;
       sampler.setInputCloud(scan.cloud);
       sampler.setNumberOfSeeds(settings.seeds);
-      sampler.setSubsample(subsample);
+      if (subsample != 0) // the paper's setting, which is Algorithm 1 as it is
+        configureAsInThePaper(subsample, sampler);
       sampler.setRandomSeed(random_seed);
       sampler.setStartIndex(drawStart(scan, random_seed));
       sampler.setNumberOfThreads(settings.threads);
