@@ -9,7 +9,7 @@
 #
 # usage: experiments.sh EXPERIMENT DATASET_FOLDER OUT_FOLDER [--jobs N] [--starts 5]
 #                       [--seeds 100] [--scans N] [--methods LIST]
-#   EXPERIMENT   tables, seeds, purity, noise, heatmap, labels, peers or all
+#   EXPERIMENT   tables, seeds, purity, noise, heatmap, labels, peers, raw or all
 
 set -euo pipefail
 started_in=$PWD

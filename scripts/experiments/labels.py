@@ -13,7 +13,7 @@ import numpy as np
 import paper
 from clouds import labelled, read_cloud
 from heatmap import largest_instance, middle_of
-from programs import perturbed
+from programs import perturbed, raw_scan_options
 from propagation import RESOLUTIONS
 from report import new_figure, save_picture, write_csv, write_markdown
 from view import View, drawing
@@ -33,7 +33,8 @@ def carry_labels(item, programs, folder):
     for subsample, name in RESOLUTIONS.items():
         file = folder / f"labelled_{subsample}.pcd"
         programs.segment(scan, file, "--labels-from", "label", "--seeds", settings["seeds"],
-                         "--subsample", subsample, "--random-seed", settings["start"])
+                         "--subsample", subsample, "--random-seed", settings["start"],
+                         *raw_scan_options(settings))
         labels[name] = read_cloud(file)["label"]
     with drawing:
         draw(truth, known, labels, folder / PICTURE)

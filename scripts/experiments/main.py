@@ -17,6 +17,7 @@ from noise import Noise
 from peers import METHODS, Peers
 from programs import Programs
 from purity import Purity
+from raw import Raw
 from report import write_whole
 from scans import scans_of, spread
 from seeds import SeedSweep
@@ -24,7 +25,7 @@ from tables import Tables
 from work import Store, do_all
 
 EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise(), HeatMap(),
-                                            Labels(), Peers())}
+                                            Labels(), Peers(), Raw())}
 
 
 def at_least_one(text):

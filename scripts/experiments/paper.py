@@ -10,6 +10,9 @@
 # The setting of all its experiments (section V.A).
 SUBSAMPLE = 20000
 
+# Options for raw scans that the programs have beyond the paper, as the paper is.
+RAW_SCANS = {"density": "off", "isolated-neighbors": 0, "seeding": "farthest", "color": 0}
+
 # By class: AP25, AP50, AP75 of CID; AP50 of SGPN and of PointGroup, None where it has none.
 S3DIS = {
     "ceiling": (0.956, 0.867, 0.639, 0.794, 0.724),

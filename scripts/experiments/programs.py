@@ -9,6 +9,11 @@ import json
 import subprocess
 import threading
 
+import paper
+
+# Of an option: what the programs take when they are not told.
+DEFAULT = "default"
+
 
 class ProgramError(Exception):
     """A program that failed; the text says what it complained about."""
@@ -80,6 +85,13 @@ def remarks_in(folder):
             for remark in read_json(report).get("remarks", [])]
 
 
+def raw_scan_options(settings):
+    """Those of the paper, but for what the settings name."""
+    values = {name: settings.get(name, value) for name, value in paper.RAW_SCANS.items()}
+    return [word for name, value in values.items() if value != DEFAULT
+            for word in (f"--{name}", value)]
+
+
 def propagate(item, programs, folder):
     """Section V.A of the paper: seeds with their true labels, carried to all points; scored."""
     settings = item.settings
@@ -89,14 +101,16 @@ def propagate(item, programs, folder):
     prediction = folder / "prediction.pcd"
     programs.segment(truth, prediction, "--labels-from", "label",
                      "--seeds", settings["seeds"], "--subsample", settings["subsample"],
-                     "--random-seed", settings["start"], "--report", folder / "segment.json")
+                     "--random-seed", settings["start"], *raw_scan_options(settings),
+                     "--report", folder / "segment.json")
     programs.run("pcl_cid_evaluate", prediction, truth, "--protocol", "paper", "--quiet",
                  *item.scan.class_options(), "--report", folder / "scores.json")
     scores = read_json(folder / "scores.json")
-    seconds = read_json(folder / "segment.json")["seconds"]["segment"]
+    segment = read_json(folder / "segment.json")
     figures = ("points", "labelled_points", "truth_instances", "groups", "purity", "mean_iou")
     return {
-        "seconds": seconds,
+        "seconds": segment["seconds"]["segment"],
+        "density": segment["density"],
         "classes_from": scores["classes_from"],
         "classes": {each["name"]: counts(each) for each in scores["classes"]},
         **{name: scores[name] for name in figures},

@@ -30,7 +30,7 @@ def by_classes(done):
 
 def with_setting(done, **setting):
     """Those pairs, and no disturbance that is not named."""
-    varying = ("noise", "keep")
+    varying = ("noise", "keep", *paper.RAW_SCANS)
     wanted = {name: None for name in varying} | setting
     return [pair for pair in done
             if all(pair[0].settings.get(name) == value for name, value in wanted.items())]

@@ -12,7 +12,7 @@ import numpy as np
 
 import paper
 from clouds import labelled, read_cloud
-from programs import perturbed, read_json
+from programs import perturbed, raw_scan_options, read_json
 from propagation import RESOLUTIONS
 from report import new_figure, save_picture, write_csv, write_markdown
 from work import Item
@@ -47,7 +47,7 @@ def merge_curve(item, programs, folder):
     copy = perturbed(item.scan, settings, programs, folder)
     programs.abstract(copy, folder / "hulls.ply", "--seeds", settings["seeds"],
                       "--parts", settings["seeds"], "--subsample", settings["subsample"],
-                      "--random-seed", settings["start"],
+                      "--random-seed", settings["start"], *raw_scan_options(settings),
                       "--labels", folder / "groups.pcd", "--tree", folder / "tree.json")
     truth = read_cloud(copy)
     groups = read_cloud(folder / "groups.pcd")["label"]

@@ -28,7 +28,9 @@ import scores  # noqa: E402
 from clouds import labelled  # noqa: E402
 from heatmap import separation  # noqa: E402
 from peers_summary import Comparison  # noqa: E402
+from programs import raw_scan_options  # noqa: E402
 from purity import contingency, purities  # noqa: E402
+from raw import SETTINGS, TOLERANCE, Raw, has_colour, place_of, settings_of  # noqa: E402
 from scans import Scan, natural, scans_of, spread  # noqa: E402
 from work import Item, Store, do_all  # noqa: E402
 
@@ -36,6 +38,7 @@ import numpy as np  # noqa: E402
 
 PROGRAMS = Path(sys.argv.pop()).resolve()
 SEEDS = 20
+AS_IN_THE_PAPER = raw_scan_options({})
 
 
 def command(*arguments):
@@ -154,6 +157,40 @@ class ByHand(unittest.TestCase):
                     self.assertNotIn(scan.fingerprint(), seen)
                     seen.append(scan.fingerprint())
 
+    def test_colour_is_looked_for_in_the_header(self):
+        with tempfile.TemporaryDirectory() as name:
+            for i, (header, expected) in enumerate((
+                    ("FIELDS x y z rgba\nDATA ascii\n", True),
+                    ("FIELDS x y z\nDATA ascii\n1 2 3 rgb\n", False),
+                    ("ply\nproperty uchar red\nend_header\n", True),
+                    ("ply\nproperty float x\nend_header\nred\n", False))):
+                path = Path(name) / str(i)
+                path.write_text(header)
+                scan = Scan("office/1", path)
+                self.assertEqual(has_colour(scan), expected)
+                self.assertEqual("colour" in settings_of(scan), expected)
+                self.assertEqual("color" in settings_of(scan)["all"], expected)
+                self.assertEqual(place_of(scan), "office")
+            self.assertTrue(has_colour(Scan("room", Path(name))))
+
+    def test_auto_is_compared_with_the_better(self):
+        def runs(*scores):
+            return [(Item(Scan(f"kind/{i}", Path()), "", {}, None),
+                     {"mean_iou": score, "truth_instances": 2 - i,
+                      "density": {"weighted": i == 1, "spread": 1.5 + i}})
+                    for i, score in enumerate(scores)]
+
+        # With twice the weight of the second scan, the first; auto is on for the second.
+        both, first, second = Raw.checks("kind", {
+            "paper": runs(0.8, 0.3), "density on": runs(0.8 + 2 * TOLERANCE, 0.9),
+            "defaults": runs(1, 1)})
+        self.assertAlmostEqual(both["mean IoU off"], (2 * 0.8 + 0.3) / 3)
+        self.assertAlmostEqual(both["mean IoU auto"], (2 * 0.8 + 0.9) / 3)
+        self.assertAlmostEqual(both["less than the better"], 4 / 3 * TOLERANCE)
+        self.assertEqual([row["kept"] for row in (both, first, second)], ["NO", "NO", "yes"])
+        self.assertEqual((both["spread"], second["spread"]), ("1.50 to 2.50", "2.50 to 2.50"))
+        self.assertEqual([row["on in"] for row in (both, first, second)], [1, 0, 1])
+
 
 class OnADataset(unittest.TestCase):
     @classmethod
@@ -207,7 +244,8 @@ class OnADataset(unittest.TestCase):
                 if not link.exists():
                     link.symlink_to(scan)
                 tool("pcl_cid_segment", scan, prediction / (scan.stem + ".pcd"), "--labels-from",
-                     "label", "--seeds", SEEDS, "--random-seed", start, "--threads", "1")
+                     "label", "--seeds", SEEDS, "--random-seed", start, "--threads", "1",
+                     *AS_IN_THE_PAPER)
             report = Path(self.folder.name) / "report.json"
             tool("pcl_cid_evaluate", prediction, truth, "--report", report)
             means.append(json.loads(report.read_text())["mean"])
@@ -323,6 +361,19 @@ class OnADataset(unittest.TestCase):
             self.assertAlmostEqual(float(row["points"]), points * keep,
                                    delta=5 * math.sqrt(points * keep * (1 - keep)))
 
+    def test_raw_scan_settings(self):
+        done = self.run_it("raw", self.room, self.out, "--starts", "1")
+        self.assertIn("Is auto as good", done.stdout)
+        scans = {row["setting"]: row for row in rows_of(self.out / "raw_scans.csv")}
+        self.assertEqual(list(scans), list(SETTINGS))  # rooms of S3DIS have colours
+        self.assertEqual(scans["paper"]["weighted"], "False")
+        self.assertEqual(scans["density on"]["weighted"], "True")
+        decided = scans["density on" if scans["defaults"]["weighted"] == "True" else "paper"]
+        check = rows_of(self.out / "raw_checks.csv")[0]
+        self.assertAlmostEqual(float(check["mean IoU auto"]), float(decided["mean_iou"]))
+        self.assertEqual(rows_of(self.out / "raw.csv")[0]["mean IoU, more than paper"], "0.0")
+        self.assertTrue((self.out / "raw.png").exists())
+
     def points(self):
         files = (self.room / "Annotations").iterdir()
         return sum(len(file.read_text().splitlines()) for file in files)
@@ -358,7 +409,8 @@ class OnADataset(unittest.TestCase):
         self.assertEqual(len(list(self.out.rglob("labels-*.png"))), 1)
         work = Path(self.folder.name)
         tool("pcl_cid_segment", self.room, work / "labelled.pcd", "--labels-from", "label",
-             "--seeds", SEEDS, "--threads", "1", "--report", work / "report.json")
+             "--seeds", SEEDS, "--threads", "1", "--report", work / "report.json",
+             *AS_IN_THE_PAPER)
         score = json.loads((work / "report.json").read_text())["score"]
         row = rows_of(self.out / "labels_scans.csv")[0]
         self.assertAlmostEqual(float(row["all points"]), score["right"] / score["points"])
