@@ -11,9 +11,11 @@
 #include "oracle.h"
 
 #include <pcl_cid/cid_sampler.h>
+#include <pcl_cid/core/isolated_points.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -252,6 +254,13 @@ TEST(CIDSampler, EachSetterRefusesABadValueAndKeepsTheOldOne)
   EXPECT_THROW(sampler.setSubsample(-1), CIDException);
   EXPECT_THROW(sampler.setNumberOfThreads(1025), CIDException);
   EXPECT_THROW(sampler.setStartIndex(-1), CIDException);
+  for (const float power : {-0.5f, 4.5f, nan})
+    EXPECT_THROW(sampler.setDensityPower(power), CIDException);
+  for (const int neighbors : {-1, 9})
+    EXPECT_THROW(sampler.setIsolatedNeighbors(neighbors), CIDException);
+  for (const float weight : {-0.1f, nan, infinity})
+    EXPECT_THROW(sampler.setColorWeight(weight), CIDException);
+  EXPECT_TRUE(sampler.getRawScanSettings() == RawScanSettings());
   EXPECT_EQ(sampler.getNumberOfSeeds(), 100);
   EXPECT_EQ(sampler.getNumberOfSamples(), 100);
   EXPECT_EQ(sampler.getCoverage(), 0.0f);
@@ -316,6 +325,164 @@ TEST(CIDSampler, ExtendedEqualsOneRun)
     in_steps.setInputCloud(toCloud(twoBoxes(900, 85)));
     EXPECT_THROW(in_steps.extend(30, seeds), CIDException) << "another cloud";
   }
+}
+
+/** Two boxes, stray points far from them, and everything switched on. */
+Sampler
+samplerWithAllOn()
+{
+  Points points = twoBoxes(600, 21);
+  for (int i = 0; i < 3; ++i)
+    points.emplace_back(20.0f + 10.0f * static_cast<float>(i), 0.0f, 0.0f);
+  auto colors = std::make_shared<std::vector<ColorRGB>>();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    colors->push_back({static_cast<std::uint8_t>(i % 2 == 0 ? 200 : 0), 40, 90});
+  Sampler sampler = samplerFor(toCloud(points), 12);
+  sampler.setDensityWeight(DensityWeight::on);
+  sampler.setDensityPower(0.5f);
+  sampler.setSeedingRule(SeedingRule::soft);
+  sampler.setColors(colors);
+  sampler.setColorWeight(0.001f);
+  return sampler;
+}
+
+TEST(CIDSampler, AllForRawScansIsWhatTheCoreMakesOfIt)
+{
+  Sampler sampler = samplerWithAllOn();
+  sampler.setSeedingRule(SeedingRule::farthest);
+  sampler.setStartIndex(7);
+  const pcl::Indices seeds = sampled(sampler);
+  Points points;
+  for (const pcl::PointXYZ& p : *sampler.getInputCloud())
+    points.push_back(p.getVector3fMap());
+  const NearestNeighbors neighbors(points, {});
+  PairCosts costs;
+  costs.spacing = localSpacing(neighbors, 0.5f);
+  costs.color = smoothLab(*sampler.getColors(), neighbors);
+  for (Eigen::Vector3f& color : costs.color)
+    color *= 0.001f;
+  SeedProposalOptions options = as_sampled;
+  options.seeds = 12;
+  options.costs = &costs;
+  options.isolated = isolatedPoints(points, neighbors, sampler.getIsolatedNeighbors());
+  EXPECT_EQ(options.isolated, (pcl::Indices{600, 601, 602}));
+  const SeedProposal expected = proposeSeeds(DistanceField(points), points, 7, options);
+  EXPECT_EQ(seeds, expected.seeds);
+  EXPECT_EQ(sampler.getProposal().group, expected.group);
+  EXPECT_EQ(sampler.getProposal().cid, expected.cid);
+  EXPECT_TRUE(sampler.getDensityDecision().weighted);
+  EXPECT_EQ(sampler.getDensityDecision().isolated_points, 3u);
+}
+
+TEST(CIDSampler, IsolatedPointsAreNoSeedsUnlessTheyAreMeant)
+{
+  Sampler sampler = samplerWithAllOn();
+  for (std::uint64_t random_seed = 0; random_seed < 300; ++random_seed) {
+    sampler.setNumberOfSeeds(1);
+    sampler.setRandomSeed(random_seed);
+    ASSERT_LT(sampled(sampler).front(), 600) << "a drawn start";
+  }
+  sampler.setNumberOfSeeds(30);
+  for (const pcl::index_t seed : sampled(sampler))
+    EXPECT_LT(seed, 600);
+  EXPECT_GE(sampler.getProposal().group[602], 0) << "it belongs to a group";
+  sampler.setStartIndex(601);
+  EXPECT_EQ(sampled(sampler).front(), 601);
+  sampler.resetStartIndex();
+  sampler.setSeedCandidates(pcl::make_shared<pcl::Indices>(pcl::Indices{600, 602}));
+  EXPECT_EQ(sampled(sampler).size(), 2u) << "there are no others";
+}
+
+TEST(CIDSampler, SameBytesForEveryNumberOfThreadsWithAllOn)
+{
+  Sampler sampler = samplerWithAllOn();
+  sampler.setNumberOfThreads(1);
+  const pcl::Indices seeds = sampled(sampler);
+  const SeedProposal expected = sampler.getProposal();
+  for (const unsigned int threads : {2u, 3u, 8u}) {
+    sampler.setNumberOfThreads(threads);
+    EXPECT_EQ(sampled(sampler), seeds);
+    EXPECT_EQ(sampler.getProposal().group, expected.group);
+    EXPECT_EQ(sampler.getProposal().cid, expected.cid);
+  }
+}
+
+TEST(CIDSampler, ExtendedEqualsOneRunWithAllOn)
+{
+  Sampler in_steps = samplerWithAllOn();
+  sampled(in_steps);
+  pcl::Indices extended;
+  in_steps.extend(20, extended);
+  Sampler at_once = samplerWithAllOn();
+  at_once.setNumberOfSeeds(20);
+  EXPECT_EQ(sampled(at_once), extended);
+  EXPECT_EQ(at_once.getProposal().group, in_steps.getProposal().group);
+}
+
+TEST(CIDSampler, ExtendRefusesChangedSettings)
+{
+  using Change = void (*)(Sampler&);
+  const Change changes[] = {[](Sampler& s) { s.setDensityWeight(DensityWeight::off); },
+                            [](Sampler& s) { s.setDensityPower(2.0f); },
+                            [](Sampler& s) { s.setIsolatedNeighbors(0); },
+                            [](Sampler& s) { s.setSeedingRule(SeedingRule::farthest); },
+                            [](Sampler& s) { s.setColorWeight(0.0f); }};
+  for (const Change change : changes) {
+    Sampler sampler = samplerWithAllOn();
+    sampled(sampler);
+    change(sampler);
+    pcl::Indices seeds;
+    EXPECT_THROW(sampler.extend(20, seeds), CIDException);
+  }
+}
+
+TEST(CIDSampler, DecidesByTheSpacing)
+{
+  Points points = twoBoxes(1500, 22);
+  Sampler even = samplerFor(toCloud(points), 2);
+  sampled(even);
+  EXPECT_FALSE(even.getDensityDecision().weighted);
+  EXPECT_LT(even.getDensityDecision().spread, uneven_spread);
+  for (Eigen::Vector3f& p : points)
+    p *= std::exp(p.x()); // sparser and sparser, as seen from the origin
+  Sampler uneven = samplerFor(toCloud(points), 2);
+  sampled(uneven);
+  EXPECT_TRUE(uneven.getDensityDecision().weighted);
+  uneven.setDensityWeight(DensityWeight::off);
+  sampled(uneven);
+  EXPECT_FALSE(uneven.getDensityDecision().weighted);
+  uneven.setDensityWeight(DensityWeight::on);
+  uneven.setDensityPower(0.0f);
+  sampled(uneven);
+  EXPECT_FALSE(uneven.getDensityDecision().weighted);
+}
+
+TEST(CIDSampler, ColorsComeFromThePointTypeOrAreGiven)
+{
+  const Points points = twoBoxes(300, 23);
+  auto colored = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
+  auto colors = std::make_shared<std::vector<ColorRGB>>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto red = static_cast<std::uint8_t>(points[i].x() > 0.5f ? 250 : 10);
+    colored->emplace_back(points[i].x(), points[i].y(), points[i].z(), red, 20, 30);
+    colors->push_back({red, 20, 30});
+  }
+  CIDSampler<pcl::PointXYZRGB> of_type;
+  of_type.setInputCloud(colored);
+  of_type.setNumberOfSeeds(9);
+  of_type.setColorWeight(0.01f);
+  pcl::Indices seeds;
+  of_type.sample(seeds);
+
+  Sampler given = samplerFor(toCloud(points), 9);
+  given.setNumberOfSamples(of_type.getNumberOfSamples());
+  given.setColorWeight(0.01f);
+  EXPECT_THROW(sampled(given), CIDException) << "PointXYZ has no colours";
+  given.setColors(std::make_shared<std::vector<ColorRGB>>(299));
+  EXPECT_THROW(sampled(given), CIDException) << "one colour too few";
+  given.setColors(colors);
+  EXPECT_EQ(sampled(given), seeds);
+  EXPECT_EQ(given.getProposal().cid, of_type.getProposal().cid);
 }
 
 TEST(CIDSampler, LittleMemoryChangesNothing)

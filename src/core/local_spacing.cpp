@@ -31,10 +31,32 @@ medianReach(const NearestNeighbors& neighbors)
   return *middle;
 }
 
+/** Share of the points that are sparse enough to be stray. */
+constexpr double stray_share = 0.02;
+
 double
 areaOf(float reach)
 {
   return static_cast<double>(reach) * static_cast<double>(reach);
+}
+
+/** Reaches of the points that count, ascending. */
+std::vector<float>
+reachesThatCount(const NearestNeighbors& neighbors, const pcl::Indices& isolated)
+{
+  std::vector<float> reaches;
+  auto next_isolated = isolated.begin();
+  for (std::size_t i = 0; i < neighbors.size(); ++i)
+    if (next_isolated != isolated.end() &&
+        static_cast<std::size_t>(*next_isolated) == i)
+      ++next_isolated;
+    else
+      reaches.push_back(neighbors.reach(i));
+  std::sort(reaches.begin(), reaches.end());
+  const auto stray =
+      static_cast<std::size_t>(stray_share * static_cast<double>(reaches.size()));
+  reaches.resize(reaches.size() - stray);
+  return reaches;
 }
 
 /** Of ascending spacings, the one that this share of the area does not exceed. */
@@ -71,18 +93,8 @@ localSpacing(const NearestNeighbors& neighbors, float power)
 float
 spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated)
 {
-  std::vector<float> ascending;
+  const std::vector<float> ascending = reachesThatCount(neighbors, isolated);
   double total = 0.0;
-  auto next_isolated = isolated.begin();
-  for (std::size_t i = 0; i < neighbors.size(); ++i) {
-    if (next_isolated != isolated.end() &&
-        static_cast<std::size_t>(*next_isolated) == i) {
-      ++next_isolated;
-      continue;
-    }
-    ascending.push_back(neighbors.reach(i));
-  }
-  std::sort(ascending.begin(), ascending.end());
   for (const float reach : ascending)
     total += areaOf(reach);
   if (!(total > 0.0))

@@ -31,8 +31,8 @@ constexpr float least_spacing = 0.2f;
 constexpr float most_spacing = 100.0f;
 
 /** DensityWeight::automatic is on from this spread of the spacing. Points that are
- *  drawn evenly from surfaces have about 1.6, whatever the surfaces. */
-constexpr float uneven_spread = 2.1f;
+ *  drawn evenly from surfaces have about 1.5, whatever the surfaces. */
+constexpr float uneven_spread = 1.9f;
 
 /** \brief s(p) of each point: the distance to its eighth neighbour over the median of
  *  the cloud, within `least_spacing` and `most_spacing`, to a power.
@@ -43,14 +43,15 @@ constexpr float uneven_spread = 2.1f;
 PCL_CID_EXPORT std::vector<float>
 localSpacing(const NearestNeighbors& neighbors, float power);
 
-/** \brief How uneven the spacing is: of the surface, a tenth has a larger spacing than
- *  the one, and a tenth a smaller one than the other; their ratio.
+/** \brief How uneven the spacing is: the spacing that 90 % of the surface does not
+ *  exceed over the one that 10 % does not.
  *
- *  Each point stands for an area of the square of its spacing. Counted by points
- *  instead, the near ends of a sensor's view would hide its far ones.
+ *  Each point stands for an area, the square of its spacing: counted by points, what a
+ *  sensor sees from near would hide what it sees from afar. The sparsest 2 % of the
+ *  points do not count: stray points are few, but each of them would stand for much.
  *  \param[in] neighbors of the points
- *  \param[in] isolated points that do not count (see isolatedPoints()), ascending: the
- *  little that they are would stand for much
+ *  \param[in] isolated further points that do not count (see isolatedPoints()),
+ *  ascending
  *  \return 1 or more; 1 for a cloud that has no spacing */
 PCL_CID_EXPORT float
 spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated);
