@@ -14,7 +14,7 @@ import paper
 from clouds import labelled, read_cloud
 from heatmap import largest_instance, middle_of
 from programs import perturbed, raw_scan_options
-from propagation import RESOLUTIONS
+from propagation import COLUMNS
 from report import new_figure, save_picture, write_csv, write_markdown
 from view import View, drawing
 from work import Item
@@ -30,21 +30,21 @@ def carry_labels(item, programs, folder):
     truth = read_cloud(scan)
     known = labelled(truth)
     labels = {"truth": truth["label"]}
-    for subsample, name in RESOLUTIONS.items():
-        file = folder / f"labelled_{subsample}.pcd"
+    for name, column in COLUMNS.items():
+        file = folder / f"labelled {name}.pcd"
         programs.segment(scan, file, "--labels-from", "label", "--seeds", settings["seeds"],
-                         "--subsample", subsample, "--random-seed", settings["start"],
-                         *raw_scan_options(settings))
+                         "--subsample", column["subsample"], "--random-seed", settings["start"],
+                         *raw_scan_options(column))
         labels[name] = read_cloud(file)["label"]
     with drawing:
         draw(truth, known, labels, folder / PICTURE)
     return {name: float((labels[name] == labels["truth"])[known].mean())
-            for name in RESOLUTIONS.values()}
+            for name in COLUMNS}
 
 
 def draw(cloud, known, labels, path):
-    """True instances; what is right in the setting of the paper, and at full resolution."""
-    figure = new_figure(12, 3.6)
+    """True instances; what is wrong in each column."""
+    figure = new_figure(16, 3.6)
     room = View(cloud, [middle_of(cloud, largest_instance(cloud, known))])
     panels = figure.subplots(1, len(labels), subplot_kw={"projection": "3d"})
     for panel, (name, values) in zip(panels, labels.items()):
@@ -69,7 +69,7 @@ class Labels:
         rows = [{"scan": item.scan.name, **result} for item, result in done]
         write_csv(folder / "labels_scans.csv", rows)
         table = [{"setting": name, "points with the right label":
-                  statistics.fmean(row[name] for row in rows)} for name in RESOLUTIONS.values()]
+                  statistics.fmean(row[name] for row in rows)} for name in COLUMNS]
         write_csv(folder / "labels.csv", table)
         text = (f"{len(rows)} scans, {options.seeds} seeds, 1 random start; share of the points "
                 f"with a true label, mean over the scans. The paper works on {paper.SUBSAMPLE:,} "

@@ -8,11 +8,14 @@
 from collections import defaultdict
 
 import paper
-from programs import propagate
+from programs import DEFAULT, propagate
 from scores import THRESHOLDS, pooled
 from work import Item
 
-RESOLUTIONS = {paper.SUBSAMPLE: f"{paper.SUBSAMPLE:,} points", 0: "all points"}
+# What each column is; options for raw scans that it does not name are the paper's.
+COLUMNS = {f"{paper.SUBSAMPLE:,} points": {"subsample": paper.SUBSAMPLE},
+           "all points": {"subsample": 0},
+           "defaults": {"subsample": 0, "density": DEFAULT, "isolated-neighbors": DEFAULT}}
 
 
 def propagation(scan, seeds, subsample, start, **disturbance):
@@ -36,13 +39,19 @@ def with_setting(done, **setting):
             if all(pair[0].settings.get(name) == value for name, value in wanted.items())]
 
 
+def column_of(item):
+    """The name of the column that an item belongs to, if it does."""
+    return next((name for name, column in COLUMNS.items()
+                 if with_setting([(item, None)], **column)), None)
+
+
 def scan_row(item, result):
     """A scan's line in the CSV."""
     ap = pooled([result])["mean"]
     return {
         "scan": item.scan.name,
         "classes_from": result["classes_from"],
-        **item.settings,
+        **paper.RAW_SCANS, **item.settings,
         "points": result["points"],
         "truth_instances": result["truth_instances"],
         **{f"ap{t}": value for t, value in zip(THRESHOLDS, ap)},

@@ -13,7 +13,7 @@ import numpy as np
 import paper
 from clouds import labelled, read_cloud
 from programs import perturbed, raw_scan_options, read_json
-from propagation import RESOLUTIONS
+from propagation import COLUMNS, column_of, with_setting
 from report import new_figure, save_picture, write_csv, write_markdown
 from work import Item
 
@@ -72,19 +72,19 @@ class Purity:
     name = "purity"
 
     def items(self, scan, options):
-        return [Item(scan, "merge", {"seeds": options.seeds, "subsample": subsample,
-                                     "start": start}, merge_curve)
-                for subsample in RESOLUTIONS for start in range(options.starts)]
+        return [Item(scan, "merge", {"seeds": options.seeds, "start": start, **column}, merge_curve)
+                for column in COLUMNS.values() for start in range(options.starts)]
 
     def summarize(self, done, options, folder):
         write_csv(folder / "purity_scans.csv", [
-            {"scan": item.scan.name, **item.settings, "parts": result["parts"] - merges,
+            {"scan": item.scan.name, "setting": column_of(item), **paper.RAW_SCANS,
+             **item.settings, "parts": result["parts"] - merges,
              "compactness": result["truth_instances"] / (result["parts"] - merges),
              "purity": purity}
             for item, result in done for merges, purity in enumerate(result["purity"])])
-        boxes = {(subsample, compactness): self.box(done, subsample, compactness)
-                 for subsample in RESOLUTIONS for compactness in COMPACTNESS}
-        rows = [self.row(label, boxes, subsample) for subsample, label in RESOLUTIONS.items()]
+        boxes = {(setting, compactness): self.box(with_setting(done, **column), compactness)
+                 for setting, column in COLUMNS.items() for compactness in COMPACTNESS}
+        rows = [self.row(setting, boxes) for setting in COLUMNS]
         write_csv(folder / "purity.csv", rows)
         theirs = ", ".join(f"{name} {value}" for name, value in paper.MEDIAN_PURITY.items())
         scans = len({item.scan.name for item, _ in done})
@@ -95,20 +95,20 @@ class Purity:
         self.draw(done, boxes, folder / "purity.png")
 
     @staticmethod
-    def box(done, subsample, compactness):
+    def box(done, compactness):
         """The purity of each scan, a mean over the starts, where it is defined."""
         of_scan = {}
         for item, result in done:
             purity = purity_at(result, compactness)
-            if item.settings["subsample"] == subsample and purity is not None:
+            if purity is not None:
                 of_scan.setdefault(item.scan.name, []).append(purity)
         return [statistics.fmean(values) for values in of_scan.values()]
 
     @staticmethod
-    def row(label, boxes, subsample):
-        row = {"setting": label}
+    def row(setting, boxes):
+        row = {"setting": setting}
         for compactness in COMPACTNESS:
-            box = boxes[subsample, compactness]
+            box = boxes[setting, compactness]
             low, middle, high = np.quantile(box, (0.25, 0.5, 0.75)) if box else 3 * (None,)
             row[f"compactness {compactness}"] = (
                 f"{middle:.3f} ({low:.3f}, {high:.3f}), {len(box)} scans" if box else None)
@@ -121,13 +121,13 @@ class Purity:
         # Few seeds may be too few groups for every compactness.
         if known:
             plots.boxplot([boxes[key] for key in known], whis=(0, 100),
-                          labels=[f"{compactness:g}\n" + RESOLUTIONS[subsample].replace(" ", "\n")
-                                  for subsample, compactness in known])
+                          labels=[f"{compactness:g}\n" + setting.replace(" ", "\n")
+                                  for setting, compactness in known])
         plots.set(xlabel="compactness, setting", ylabel="purity of a scan", ylim=(0, 1.02))
         plots.tick_params(axis="x", labelsize="small")
-        for colour, (subsample, label) in zip(("C0", "C1"), RESOLUTIONS.items()):
-            self.draw_curves(curve, [result for item, result in done
-                                     if item.settings["subsample"] == subsample], colour, label)
+        for i, (setting, column) in enumerate(COLUMNS.items()):
+            results = [result for _, result in with_setting(done, **column)]
+            self.draw_curves(curve, results, f"C{i}", setting)
         for axes in (plots, curve):
             for style, (name, value) in zip(("k--", "k:"), paper.MEDIAN_PURITY.items()):
                 axes.axhline(value, color="k", linestyle=style[1:], linewidth=1,

@@ -7,7 +7,7 @@
 # resolution, beside the paper's figures.
 
 import paper
-from propagation import RESOLUTIONS, by_classes, propagation, scan_row, with_setting
+from propagation import COLUMNS, by_classes, propagation, scan_row, with_setting
 from report import write_csv, write_markdown
 from scores import THRESHOLDS, summary
 
@@ -18,15 +18,15 @@ class Tables:
     name = "tables"
 
     def items(self, scan, options):
-        return [propagation(scan, options.seeds, subsample, start)
-                for subsample in RESOLUTIONS for start in range(options.starts)]
+        return [propagation(scan, options.seeds, start=start, **column)
+                for column in COLUMNS.values() for start in range(options.starts)]
 
     def summarize(self, done, options, folder):
         write_csv(folder / "tables_scans.csv", [scan_row(*pair) for pair in done])
         rows, sections = [], []
         for classes_from, pairs in by_classes(done).items():
-            summaries = {subsample: summary(with_setting(pairs, subsample=subsample))
-                         for subsample in RESOLUTIONS}
+            summaries = {name: summary(with_setting(pairs, **column))
+                         for name, column in COLUMNS.items()}
             rows += self.csv_rows(classes_from, summaries)
             sections.append(self.section(classes_from, summaries, options))
         write_csv(folder / "tables.csv", rows)
@@ -35,9 +35,9 @@ class Tables:
     @staticmethod
     def csv_rows(classes_from, summaries):
         rows = []
-        for subsample, each in summaries.items():
+        for setting, each in summaries.items():
             for name, values in each["classes"].items():
-                row = {"classes_from": classes_from, "subsample": subsample, "class": name,
+                row = {"classes_from": classes_from, "setting": setting, "class": name,
                        "truth_instances": each["truths"].get(name, sum(each["truths"].values()))}
                 row |= {f"ap{t}": value for t, value in zip(THRESHOLDS, values)}
                 row |= {f"paper_ap{t}": value for t, value in
@@ -56,15 +56,15 @@ class Tables:
                    "instances": first["truths"].get(name, sum(first["truths"].values()))}
             for i, t in enumerate(THRESHOLDS):
                 row[f"AP{t} paper"] = theirs[i]
-                for subsample, label in RESOLUTIONS.items():
-                    row[f"AP{t} {label}"] = summaries[subsample]["classes"][name][i]
+                for setting in COLUMNS:
+                    row[f"AP{t} {setting}"] = summaries[setting]["classes"][name][i]
             row |= {"AP50 SGPN": theirs[3], "AP50 PointGroup": theirs[4]}
             rows.append(row)
         title, _ = paper.TABLES.get(classes_from, ("Instances without classes", {}))
         spread = "; ".join(
-            f"{label}: mean AP50 of the starts {min(each['ap50_of_starts']):.3f} to "
+            f"{setting}: mean AP50 of the starts {min(each['ap50_of_starts']):.3f} to "
             f"{max(each['ap50_of_starts']):.3f}, mean IoU {each['mean_iou']:.3f}"
-            for label, each in zip(RESOLUTIONS.values(), summaries.values()))
+            for setting, each in summaries.items())
         text = (f"{first['scans']} scans, {first['starts']} random starts, "
                 f"{options.seeds} seeds. {spread}.")
         return title, text, rows

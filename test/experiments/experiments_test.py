@@ -250,7 +250,7 @@ class OnADataset(unittest.TestCase):
             tool("pcl_cid_evaluate", prediction, truth, "--report", report)
             means.append(json.loads(report.read_text())["mean"])
         rows = [row for row in rows_of(self.out / "tables.csv") if row["class"] == "mean"
-                and row["classes_from"] == "s3dis" and row["subsample"] == "0"]
+                and row["classes_from"] == "s3dis" and row["setting"] == "all points"]
         self.assertEqual(len(rows), 1)
         for figure in ("ap25", "ap50", "ap75"):
             expected = sum(mean[figure] for mean in means) / len(means)
@@ -261,7 +261,7 @@ class OnADataset(unittest.TestCase):
         self.run_it("purity", self.room, self.out)
         parts = 12
         rows = [row for row in rows_of(self.out / "purity_scans.csv")
-                if (row["subsample"], row["start"], row["parts"]) == ("0", "1", str(parts))]
+                if (row["setting"], row["start"], row["parts"]) == ("defaults", "1", str(parts))]
         work = Path(self.folder.name)
         tool("pcl_cid_abstract", self.room, work / "hulls.ply", "--parts", parts, "--seeds",
              SEEDS, "--random-seed", "1", "--threads", "1", "--labels", work / "parts.pcd")
@@ -285,7 +285,7 @@ class OnADataset(unittest.TestCase):
         self.assertIn(f" {len(before)} of them done before", done.stdout)
         after = stamps(self.out)
         self.assertEqual({path: after[path] for path in before}, before)
-        self.assertEqual(len(after), 2 * 2)  # settings, starts
+        self.assertEqual(len(after), 3 * 2)  # settings, starts
         self.assertEqual(list((self.out / "work").iterdir()), [])
         table = (self.out / "tables.csv").read_bytes()
         self.run_it(*arguments)
@@ -346,7 +346,7 @@ class OnADataset(unittest.TestCase):
     def test_sweeps(self):
         self.run_it("seeds", self.room, self.out, "--starts", "1")
         seeds = {row["seeds"]: row for row in rows_of(self.out / "seeds.csv")
-                 if row["class"] == "mean" and row["subsample"] == "0"}
+                 if row["class"] == "mean" and row["setting"] == "all points"}
         self.assertEqual(list(seeds), ["10", "20"])
         self.assertTrue((self.out / "seeds_s3dis.png").exists())
         done = self.run_it("noise", self.room, self.out, "--starts", "1")

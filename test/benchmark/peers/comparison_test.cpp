@@ -137,8 +137,6 @@ TEST(PeerMethods, EachLabelsEveryPointTheSameTwice)
                                cidRuns(scan, seeds, 1000).front(),
                                euclideanRuns(scan, seeds).front(),
                                lccpRuns(scan, pointSpacing(*scan.cloud)).front(),
-                               // Small segments join others: a matter of order.
-                               lccpRuns(scan, pointSpacing(*scan.cloud)).at(2),
                                regionGrowingRuns(scan).front(),
                                wcsegRuns(scan).front()};
   for (const PeerRun& run : runs) {
