@@ -28,7 +28,7 @@ namespace pcl_cid {
 
 /** \brief The settings for raw scans (*ours*): what a pair of points costs, and which
  *  points become seeds. */
-struct RawScanSettings {
+struct PCL_CID_EXPORT RawScanSettings {
   DensityWeight density_weight = DensityWeight::automatic;
   float density_power = 1.0f;
   int isolated_neighbors = 4;
