@@ -64,6 +64,17 @@ TEST(ReportTest, HoldsWhatWasPutIn)
   EXPECT_GT(json["peak_memory_bytes"], 1000000);
   EXPECT_FALSE(json.contains("parts"));
   EXPECT_FALSE(json.contains("score"));
+  EXPECT_FALSE(json.contains("density"));
+}
+
+TEST(ReportTest, HoldsWhatWasDecidedAboutTheDensity)
+{
+  Report report;
+  report.density = DensityDecision{true, 2.5f, 17};
+  const nlohmann::json json = nlohmann::json::parse(toJson(report))["density"];
+  EXPECT_EQ(json["weighted"], true);
+  EXPECT_EQ(json["spread"], 2.5);
+  EXPECT_EQ(json["isolated_points"], 17);
 }
 
 TEST(ReportTest, HoldsTheFiguresOfHulls)
