@@ -1,0 +1,147 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The options for raw scans: what they change, what the report says, what is refused.
+ */
+
+#include "tool_process.h"
+
+#include <pcl_cid/cid_label_propagation.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_cid::test {
+namespace {
+
+class RawScanOptions : public ToolTest {
+protected:
+  /** \brief The report of pcl_cid_segment. */
+  nlohmann::json
+  reportOf(std::vector<std::string> arguments) const
+  {
+    std::vector<std::string> all{scan_, file("out.pcd"), "--report", file("r.json")};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    segment(all);
+    return nlohmann::json::parse(readText(file("r.json")));
+  }
+
+  void
+  expectRefused(const std::string& tool,
+                std::vector<std::string> arguments,
+                int exit_code,
+                const std::string& what) const
+  {
+    const bool abstracts = tool == "pcl_cid_abstract";
+    arguments.insert(arguments.begin(), {scan_, file(abstracts ? "o.obj" : "o.pcd")});
+    const ToolRun refused = run(tool, arguments);
+    EXPECT_EQ(refused.exit_code, exit_code) << refused.err;
+    EXPECT_NE(refused.err.find(what), std::string::npos) << refused.err;
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"scan.pcd"});
+  }
+};
+
+TEST_F(RawScanOptions, AreDecidedAndReported)
+{
+  const nlohmann::json by_default = reportOf({});
+  const nlohmann::json& parameters = by_default["parameters"];
+  EXPECT_EQ(parameters["density"], "auto");
+  EXPECT_EQ(parameters["density_power"], 1.0);
+  EXPECT_EQ(parameters["isolated_neighbors"], 4);
+  EXPECT_EQ(parameters["seeding"], "farthest");
+  EXPECT_EQ(parameters["color"], 0.0);
+  const double spread = by_default["density"]["spread"];
+  EXPECT_EQ(by_default["density"]["weighted"], spread >= uneven_spread);
+  EXPECT_GE(by_default["density"]["isolated_points"], 0);
+
+  EXPECT_EQ(reportOf({"--density", "on"})["density"]["weighted"], true);
+  const nlohmann::json off =
+      reportOf({"--density", "off", "--isolated-neighbors", "0"})["density"];
+  EXPECT_EQ(off["weighted"], false);
+  EXPECT_TRUE(off["spread"].is_null()) << "nothing needs it";
+  EXPECT_EQ(off["isolated_points"], 0);
+}
+
+TEST_F(RawScanOptions, DoWhatTheClassDoes)
+{
+  segment({scan_,
+           file("out.pcd"),
+           "--density",
+           "on",
+           "--density-power",
+           "0.5",
+           "--isolated-neighbors",
+           "2",
+           "--seeding",
+           "soft",
+           "--color",
+           "0.002"});
+  const LabelledCloud scan = deskScan();
+  CIDLabelPropagation<pcl::PointXYZ> propagation;
+  propagation.setInputCloud(pointsOf(scan).points);
+  propagation.setNumberOfSeeds(12);
+  propagation.setDensityWeight(DensityWeight::on);
+  propagation.setDensityPower(0.5f);
+  propagation.setIsolatedNeighbors(2);
+  propagation.setSeedingRule(SeedingRule::soft);
+  propagation.setColorWeight(0.002f);
+  propagation.setColors(std::make_shared<const std::vector<ColorRGB>>(colorsOf(scan)));
+  std::vector<std::uint32_t> expected;
+  propagation.segment(expected);
+  EXPECT_EQ(valuesOf<std::uint32_t>(readCloud(file("out.pcd")).fields, "label"),
+            expected);
+}
+
+TEST_F(RawScanOptions, AreTakenByBothTools)
+{
+  const ToolRun done = run("pcl_cid_abstract",
+                           {scan_,
+                            file("o.obj"),
+                            "--seeds",
+                            "12",
+                            "--density",
+                            "on",
+                            "--color",
+                            "0.001",
+                            "--report",
+                            file("r.json")});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("Density weight: on"), std::string::npos) << done.out;
+  EXPECT_EQ(nlohmann::json::parse(readText(file("r.json")))["density"]["weighted"],
+            true);
+}
+
+TEST_F(RawScanOptions, NeedColors)
+{
+  LabelledCloud scan;
+  appendField<float>("x", {0, 1, 2}, scan.fields);
+  appendField<float>("y", {0, 1, 0}, scan.fields);
+  appendField<float>("z", {0, 0, 1}, scan.fields);
+  saveCloud(scan_, scan, CloudFormat::pcd_binary);
+  for (const char* const tool : {"pcl_cid_segment", "pcl_cid_abstract"})
+    expectRefused(tool, {"--color", "0.001"}, 1, scan_ + ": has no colours");
+}
+
+TEST_F(RawScanOptions, AreRefusedOutOfTheirRange)
+{
+  for (const char* const tool : {"pcl_cid_segment", "pcl_cid_abstract"}) {
+    expectRefused(tool, {"--density", "yes"}, 2, "auto, off or on");
+    expectRefused(tool, {"--density-power", "5"}, 2, "0 to 4");
+    expectRefused(tool, {"--isolated-neighbors", "9"}, 2, "0 to 8");
+    expectRefused(tool, {"--seeding", "near"}, 2, "farthest or soft");
+    expectRefused(tool, {"--color", "-1"}, 2, "0 or more");
+  }
+}
+
+TEST_F(RawScanOptions, AreRefusedWhereTheyHaveNoEffect)
+{
+  expectRefused(
+      "pcl_cid_segment", {"--cid-from", "0", "--density", "on"}, 2, "density");
+  expectRefused(
+      "pcl_cid_segment", {"--labels", "s.csv", "--seeding", "soft"}, 2, "seeding");
+}
+
+} // namespace
+} // namespace pcl_cid::test
