@@ -21,8 +21,19 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 /** Levels of samples that a node of the tree, which is no block, is tried with. */
 constexpr std::size_t node_levels = 4;
 
+/** A surface point is of use for this many samples before and after the one that it was
+ *  found at, about. */
+constexpr std::size_t neighboring_samples = 16;
+
 /** A seed is compared with this many subtrees side by side. */
 constexpr std::size_t most_subtrees = 1024;
+
+/** With how many blocks the search for the farthest point begins. */
+constexpr std::size_t most_promising = 128;
+
+/** Blocks that a thread settles at a time: neighbours, whose segments from a seed pass
+ *  through the same cells. */
+constexpr std::size_t blocks_at_once = 4;
 
 /** Whether points are those of the surface, in their order. */
 bool
@@ -59,6 +70,8 @@ BlockGroups::BlockGroups(const DistanceField& field,
 , tree_(own_tree_ ? *own_tree_ : field.blocks())
 , costs_(options.costs, tree_, threads_, progress)
 , order_(options.samples)
+, slack_(32.0f * std::numeric_limits<float>::epsilon() *
+         std::max(tree_.box(1).low.abs().maxCoeff(), tree_.box(1).high.abs().maxCoeff()))
 , progress_(progress)
 , states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0, 0})
 , rivals_(tree_.size())
@@ -145,7 +158,7 @@ BlockGroups::compareNode(std::size_t node, const Seed& seed, std::size_t& hint) 
   std::size_t largest_at = hint;
   const auto loses = [&](std::size_t l) {
     const float low =
-        grid_.bounds(segment.at(l)).low - segment.slack - segment.fraction(l) * radius;
+        grid_.lowerBound(segment.at(l)) - segment.slack - segment.fraction(l) * radius;
     if (low > largest) {
       largest = low;
       largest_at = l;
@@ -155,8 +168,8 @@ BlockGroups::compareNode(std::size_t node, const Seed& seed, std::size_t& hint) 
   if (loses(hint))
     return true;
   for (std::size_t k = 0; k < std::min(order_.levels().size(), node_levels); ++k)
-    for (const SampleOrder::Entry& entry : order_.levels()[k])
-      if (loses(entry.sample))
+    for (const std::size_t l : order_.levels()[k])
+      if (loses(l))
         return true;
   hint = largest_at;
   return false;
@@ -184,29 +197,31 @@ BlockGroups::compareBlock(std::size_t node, const Seed& seed, std::size_t hint)
   const float radius = tree_.box(node).radius();
   const PairCost least = costs_.least(node, seed.index);
   const SegmentSamples segment(seed.position, centre, order_.samples());
-  thread_local std::vector<float> high;
-  high.resize(order_.last() + 1);
+  thread_local Eigen::ArrayXf storage;
+  SampleCaps caps(segment, order_, storage);
+  caps.reset();
   Rival rival{static_cast<std::int32_t>(seeds_.size()) - 1, 0.0f, 0.0f, hint};
   const auto loses = [&](std::size_t l) {
+    const Eigen::Vector3f x = segment.at(l);
     const float reach = segment.fraction(l) * radius + segment.slack;
-    const DistanceBounds d = grid_.bounds(segment.at(l));
-    high[l] = d.high + segment.slack;
-    if (d.low - reach > rival.low) {
-      rival.low = d.low - reach;
+    const DistanceGrid::Look look = grid_.look(x);
+    if (look.bounds.low - reach > rival.low) {
+      rival.low = look.bounds.low - reach;
       rival.hint = l;
     }
-    rival.high = std::max(rival.high, d.high + reach);
-    return least.of(rival.low) >= worst;
+    rival.high = std::max(rival.high, look.bounds.high + reach);
+    if (least.of(rival.low) >= worst)
+      return true;
+    caps.lower(look.point, l, neighboring_samples);
+    return false;
   };
   if (loses(hint) || loses(0) || loses(order_.last()))
     return;
   for (const SampleOrder::Level& level : order_.levels())
-    for (const SampleOrder::Entry& entry : level) {
-      const std::size_t l = entry.sample;
-      high[l] = segment.between(entry, high);
-      if (high[l] + segment.fraction(l) * radius > rival.high && loses(l))
+    for (const std::size_t l : level)
+      if (caps[l] >= caps.squareOf(rival.high - segment.fraction(l) * radius) &&
+          loses(l))
         return;
-    }
 
   rival.low = least.of(rival.low);
   rival.high = costs_.most(node, seed.index).of(rival.high);
@@ -275,8 +290,12 @@ BlockGroups::settle(std::size_t b, float floor, const Query& query)
       std::vector<Contender>& open = contenders(b, state);
       const float least =
           PairCost{factor[static_cast<std::size_t>(best)]}.cidBelow(floor);
-      if (!fallsShort(target(b, best), least, open, state))
+      Closeness closest;
+      if (!fallsShort(target(b, best), least, open, state, closest)) {
         decide(target(b, best), true, open, state);
+        closest = closenessOf(target(b, best), state);
+      }
+      shareWithNeighbors(b, best, closest);
     }
     else if (query.seeds && !gains(b, best))
       marks_[slotOf(b, best)] |= barred;
@@ -285,8 +304,29 @@ BlockGroups::settle(std::size_t b, float floor, const Query& query)
   }
 }
 
-/** The blocks that may hold a point with a D_min of at least \a floor, the most
- *  promising first. */
+/** The CID to a seed changes from point to point by no more than they are apart: so do
+ *  the samples, and d is 1-Lipschitz. What one point of a block has found out bounds
+ *  D_min of the others. */
+void
+BlockGroups::shareWithNeighbors(std::size_t b, int row, const Closeness& closest)
+{
+  if (closest.number < 0)
+    return;
+  constexpr float rounding = 1.00001f;
+  const PointBlock& block = tree_.block(b);
+  const Eigen::Array<float, PointBlock::capacity, 1> cid =
+      (block.squaredDistances(block.point(row)).sqrt() + closest.cid) * rounding +
+      slack_;
+  const Seed& seed = seeds_[static_cast<std::size_t>(closest.number)];
+  for (int other = 0; other < block.count; ++other) {
+    float& high = states_[slotOf(b, other)].high;
+    const auto index = static_cast<std::size_t>(block.index[other]);
+    high = std::min(high, costs_.between(seed.index, index).of(cid[other]));
+  }
+}
+
+/** The blocks that may hold a point with a D_min of at least \a floor, neighbours
+ *  together. */
 std::vector<std::size_t>
 BlockGroups::blocksAbove(float floor) const
 {
@@ -302,54 +342,79 @@ BlockGroups::blocksAbove(float floor) const
     else
       open.insert(open.end(), {2 * node, 2 * node + 1});
   }
-  std::sort(blocks.begin(), blocks.end(), [this](std::size_t a, std::size_t b) {
-    const float upper_a = upper_[tree_.nodeOfBlock(a)];
-    const float upper_b = upper_[tree_.nodeOfBlock(b)];
-    return upper_a > upper_b || (upper_a == upper_b && a < b);
-  });
   return blocks;
 }
 
+/** A few of the blocks, those that may hold the largest D_min. */
+std::vector<std::size_t>
+BlockGroups::mostPromising(const std::vector<std::size_t>& blocks) const
+{
+  std::vector<std::size_t> best(std::min(blocks.size(), most_promising));
+  std::partial_sort_copy(blocks.begin(),
+                         blocks.end(),
+                         best.begin(),
+                         best.end(),
+                         [this](std::size_t a, std::size_t b) {
+                           const float upper_a = upper_[tree_.nodeOfBlock(a)];
+                           const float upper_b = upper_[tree_.nodeOfBlock(b)];
+                           return upper_a > upper_b || (upper_a == upper_b && a < b);
+                         });
+  return best;
+}
+
+/** Settle blocks side by side.
+ *  \param[in] blocks each once
+ *  \param[in] best of all others so far
+ *  \return the best of these, too */
+BlockGroups::Farthest
+BlockGroups::settleAll(const std::vector<std::size_t>& blocks,
+                       const Query& query,
+                       ProgressSpan span,
+                       Farthest best)
+{
+  std::vector<Farthest> found(blocks.size());
+  std::atomic<float> reached{std::max(best.value, 0.0f)};
+  const int team = blocks.size() < 4 * blocks_at_once ? 1 : threads_;
+  parallelFor(blocks.size(),
+              blocks_at_once,
+              team,
+              progress_,
+              span,
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k) {
+                  const float floor = reached;
+                  if (upper_[tree_.nodeOfBlock(blocks[k])] < floor / query.most())
+                    continue;
+                  found[k] = settle(blocks[k], floor, query);
+                  float so_far = reached;
+                  while (found[k].value > so_far &&
+                         !reached.compare_exchange_weak(so_far, found[k].value))
+                    ;
+                }
+              });
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    updateAbove(tree_.nodeOfBlock(blocks[k]));
+    const bool tied = found[k].value == best.value && found[k].point < best.point;
+    if (found[k].value > best.value || tied)
+      best = found[k];
+  }
+  return best;
+}
+
+/** The most promising blocks first: they give a value that most others fall short of.
+ */
 BlockGroups::Farthest
 BlockGroups::argmax(const Query& query, ProgressSpan span)
 {
-  const float most = query.draw ? SoftDraw::largest_factor : 1.0f;
-  // A few of the most promising blocks give a value that most others fall short of.
-  Farthest best;
-  const auto take = [&best](const Farthest& found) {
-    const bool tied = found.value == best.value && found.point < best.point;
-    if (found.value > best.value || tied)
-      best = found;
-  };
   std::size_t node = 1;
   while (!tree_.isBlock(node))
     node = upper_[2 * node] >= upper_[2 * node + 1] ? 2 * node : 2 * node + 1;
-  take(settle(node - tree_.size(), 0.0f, query));
-  updateAbove(node);
-
-  const std::vector<std::size_t> blocks =
-      blocksAbove(std::max(best.value, 0.0f) / most);
-  std::vector<Farthest> found(blocks.size());
-  std::atomic<float> reached{std::max(best.value, 0.0f)};
-  const int team = blocks.size() < 16 ? 1 : threads_;
-  parallelFor(
-      blocks.size(), 1, team, progress_, span, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const float floor = reached;
-          if (upper_[tree_.nodeOfBlock(blocks[k])] < floor / most)
-            continue;
-          found[k] = settle(blocks[k], floor, query);
-          float so_far = reached;
-          while (found[k].value > so_far &&
-                 !reached.compare_exchange_weak(so_far, found[k].value))
-            ;
-        }
-      });
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    updateAbove(tree_.nodeOfBlock(blocks[k]));
-    take(found[k]);
-  }
-  return best;
+  Farthest best = settleAll({node - tree_.size()}, query, span, {});
+  const auto rest = [&] {
+    return blocksAbove(std::max(best.value, 0.0f) / query.most());
+  };
+  best = settleAll(mostPromising(rest()), query, span, best);
+  return settleAll(rest(), query, span, best);
 }
 
 float

@@ -13,6 +13,7 @@
 #include "distance_grid.h"
 #include "node_costs.h"
 #include "parallel_for.h"
+#include "sample_caps.h"
 #include "segment_search.h"
 #include <pcl_cid/core/soft_draw.h>
 
@@ -124,10 +125,23 @@ private:
   /** A seed: the same. */
   using Seed = Target;
 
+  /** A seed that a point is close to. */
+  struct Closeness {
+    std::int32_t number = -1; ///< of the seed; -1: none
+    float cid = 0.0f;         ///< at least the CID of the two
+  };
+
   /** What an argmax is of. */
   struct Query {
     bool seeds; ///< the points that may become seeds; else those that count in r_k
     const SoftDraw* draw = nullptr; ///< whose factors D_min is multiplied by
+
+    /** The largest of these factors. */
+    float
+    most() const
+    {
+      return draw ? SoftDraw::largest_factor : 1.0f;
+    }
   };
 
   /** What a point is left out of. */
@@ -175,7 +189,14 @@ private:
   fallsShort(const Target& point,
              float floor,
              std::vector<Contender>& open,
-             State& state);
+             State& state,
+             Closeness& closest);
+
+  Closeness
+  closenessOf(const Target& point, const State& state) const;
+
+  void
+  shareWithNeighbors(std::size_t block, int row, const Closeness& closest);
 
   const Seed&
   seedOf(const Contender& contender) const
@@ -222,6 +243,15 @@ private:
   std::vector<std::size_t>
   blocksAbove(float floor) const;
 
+  std::vector<std::size_t>
+  mostPromising(const std::vector<std::size_t>& blocks) const;
+
+  Farthest
+  settleAll(const std::vector<std::size_t>& blocks,
+            const Query& query,
+            ProgressSpan span,
+            Farthest best);
+
   Farthest
   argmax(const Query& query, ProgressSpan span);
 
@@ -232,6 +262,7 @@ private:
   const BlockTree& tree_;
   NodeCosts costs_;
   SampleOrder order_;
+  float slack_; ///< covers the rounding of the coordinates of any two samples
   Progress& progress_;
   std::vector<Seed> seeds_;
   std::vector<State> states_;              ///< by slot

@@ -119,7 +119,7 @@ DistanceField::distance(const Eigen::Vector3f& x) const
 DistanceBounds
 DistanceField::bounds(const Eigen::Vector3f& x) const
 {
-  return grid_->bounds(x);
+  return grid_->look(x).bounds;
 }
 
 pcl::index_t

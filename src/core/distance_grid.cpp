@@ -107,9 +107,7 @@ struct DistanceGrid::Growth {
   bool
   hasMemory() const
   {
-    return piece.cells.size() * sizeof(Cell) +
-               piece.lists.size() * sizeof(std::int32_t) <
-           budget;
+    return piece.bytes() < budget;
   }
 };
 
@@ -201,8 +199,7 @@ DistanceGrid::bytes() const
 {
   std::size_t sum = 0;
   for (const Piece& piece : pieces_)
-    sum +=
-        piece.cells.size() * sizeof(Cell) + piece.lists.size() * sizeof(std::int32_t);
+    sum += piece.bytes();
   return sum;
 }
 
@@ -271,17 +268,17 @@ DistanceGrid::makePart(const Region& whole,
   part.z = whole.z + (octant & 4 ? half : 0);
   const Eigen::Vector3f centre = centreOf(part.corner(), part.shift);
   boxes.measure(centre);
-  const auto nodeAt = [&](Eigen::Index k) {
-    return boxes.nodes[static_cast<std::size_t>(k)];
-  };
-  Eigen::Index first = 0;
-  boxes.squared_distance.head(boxes.size()).minCoeff(&first);
+  // The point nearest to the whole's centre is near to this one, too: few of the others
+  // are nearer. It is met again, since it is nearer than its own distance rounded up.
   BlockTree::Nearest nearest;
-  tree_.descend(static_cast<std::size_t>(nodeAt(first)), centre, nearest);
+  nearest.slot = whole.slot;
+  nearest.squared_distance =
+      (centre - tree_.position(whole.slot)).squaredNorm() * BlockTree::rounding;
   for (Eigen::Index k = 0; k < boxes.size(); ++k)
-    if (k != first &&
-        boxes.squared_distance[k] <= nearest.squared_distance * BlockTree::rounding)
-      tree_.descend(static_cast<std::size_t>(nodeAt(k)), centre, nearest);
+    if (boxes.squared_distance[k] <= nearest.squared_distance * BlockTree::rounding)
+      tree_.descend(static_cast<std::size_t>(boxes.nodes[static_cast<std::size_t>(k)]),
+                    centre,
+                    nearest);
   part.slot = nearest.slot;
   part.distance = std::sqrt(nearest.squared_distance);
 }
@@ -319,12 +316,13 @@ void
 DistanceGrid::growPiece(const Region& region, std::size_t budget, Progress& progress)
 {
   Piece& piece = pieces_[pieceAt(region.corner())];
-  piece.cells.resize(std::size_t{1} << (3 * (root_bits_ - piece_bits_)));
+  piece.resize(std::size_t{1} << (3 * (root_bits_ - piece_bits_)));
   piece.lists.push_back(0);
   const auto growth = std::make_unique<Growth>(Growth{piece, budget, progress, {}, {}});
   SharedList whole{region, 0};
   grow(region, whole, *growth);
-  piece.cells.shrink_to_fit();
+  piece.slot.shrink_to_fit();
+  piece.list.shrink_to_fit();
   piece.lists.shrink_to_fit();
 }
 
@@ -334,8 +332,7 @@ DistanceGrid::grow(const Region& region, SharedList& whole, Growth& growth) cons
 {
   if (region.shift == rootShift()) {
     growth.progress.poll();
-    const Cell cell = makeCell(region, 0, whole, growth);
-    growth.piece.cells[rootAt(region.corner())] = cell;
+    growth.piece.set(rootAt(region.corner()), makeCell(region, 0, whole, growth));
     return;
   }
   Boxes& boxes = growth.boxes[static_cast<std::size_t>(region.shift)];
@@ -362,8 +359,8 @@ DistanceGrid::makeCell(const Region& region,
     list = makeList(region, growth);
   if (!isCoarse(region) || !growth.hasMemory())
     return {region.slot, list != 0 ? list : whole.make(*this, growth)};
-  const std::size_t first = growth.piece.cells.size();
-  growth.piece.cells.resize(first + 8);
+  const std::size_t first = growth.piece.slot.size();
+  growth.piece.resize(first + 8);
   Boxes& boxes = growth.boxes[static_cast<std::size_t>(region.shift)];
   Region& part = growth.regions[static_cast<std::size_t>(region.shift - 1)];
   open(region, boxes);
@@ -372,8 +369,8 @@ DistanceGrid::makeCell(const Region& region,
     makePart(region, boxes, octant, part);
     if (list == 0 || isCoarse(part))
       keepNodes(boxes, part);
-    const Cell cell = makeCell(part, list, shared, growth);
-    growth.piece.cells[first + static_cast<std::size_t>(octant)] = cell;
+    growth.piece.set(first + static_cast<std::size_t>(octant),
+                     makeCell(part, list, shared, growth));
   }
   return {~static_cast<std::int32_t>(first), 0};
 }
@@ -396,11 +393,12 @@ DistanceGrid::nearest(const Eigen::Vector3f& x) const
 {
   const Place place = placeOf(x);
   const Leaf leaf = leafAt(place);
-  if (!place.inside || leaf.cell->list == 0)
+  const std::uint32_t first = leaf.piece->list[leaf.index];
+  if (!place.inside || first == 0)
     return {};
-  const std::int32_t* list = &leaf.piece->lists[leaf.cell->list];
+  const std::int32_t* list = &leaf.piece->lists[first];
   // The block of the point nearest to the centre first: most others are farther then.
-  const auto likely = static_cast<std::size_t>(leaf.cell->slot / PointBlock::capacity);
+  const auto likely = static_cast<std::size_t>(leaf.slot / PointBlock::capacity);
   BlockTree::Nearest nearest;
   tree_.scan(likely, x, nearest);
   for (std::int32_t k = 1; k <= list[0]; ++k) {

@@ -47,25 +47,38 @@ public:
                int threads,
                Progress& progress);
 
-  /** \brief Certified bounds of d(x; S), for any x, from one point of S. */
-  DistanceBounds
-  bounds(const Eigen::Vector3f& x) const
+  /** \brief Certified bounds of d(x; S), for any x, and the point of S that they come
+   *  from: the one nearest to the centre of the cell of x. */
+  struct Look {
+    DistanceBounds bounds;
+    const Eigen::Vector3f& point;
+  };
+
+  Look
+  look(const Eigen::Vector3f& x) const
   {
     const Place place = placeOf(x);
     const Leaf leaf = leafAt(place);
-    const Eigen::Vector3f& nearest = tree_.position(leaf.cell->slot);
-    const Eigen::Vector3f centre = centreOf(place, leaf.shift);
-    return {(centre - nearest).norm() / widening - (x - centre).norm() * widening -
-                slack_,
-            (x - nearest).norm() * widening + slack_};
+    const Eigen::Vector3f& nearest = tree_.position(leaf.slot);
+    return {{lowerBound(x, centreOf(place, leaf.shift), nearest),
+             (x - nearest).norm() * widening + slack_},
+            nearest};
   }
 
-  /** \brief The surface point that the upper bound comes from: the one nearest to the
-   *  centre of the cell of x. */
+  /** \brief The lower bound of a look alone. */
+  float
+  lowerBound(const Eigen::Vector3f& x) const
+  {
+    const Place place = placeOf(x);
+    const Leaf leaf = leafAt(place);
+    return lowerBound(x, centreOf(place, leaf.shift), tree_.position(leaf.slot));
+  }
+
+  /** \brief Its point alone. */
   const Eigen::Vector3f&
   likelyNearest(const Eigen::Vector3f& x) const
   {
-    return tree_.position(leafAt(placeOf(x)).cell->slot);
+    return tree_.position(leafAt(placeOf(x)).slot);
   }
 
   /** \brief A surface point at distance d(x; S), when the cell of x lists who can be
@@ -90,10 +103,32 @@ private:
   };
 
   /** One of the 8^piece_bits_ equal cubes that the grid is made in, each by one thread:
-   *  its part of the even grid, then the cells that those are divided into. */
+   *  its part of the even grid, then the cells that those are divided into. Most looks
+   *  need no list: the members of the cells are kept apart for the sake of the cache. */
   struct Piece {
-    std::vector<Cell> cells;
+    std::vector<std::int32_t> slot;  ///< of each cell
+    std::vector<std::uint32_t> list; ///< of each cell
     std::vector<std::int32_t> lists; ///< each begins with the number of its nodes
+
+    void
+    resize(std::size_t cells)
+    {
+      slot.resize(cells);
+      list.resize(cells);
+    }
+
+    void
+    set(std::size_t index, const Cell& cell)
+    {
+      slot[index] = cell.slot;
+      list[index] = cell.list;
+    }
+
+    std::size_t
+    bytes() const
+    {
+      return slot.size() * sizeof(Cell) + lists.size() * sizeof(std::int32_t);
+    }
   };
 
   /** Coordinates in units of the finest cell. */
@@ -104,8 +139,9 @@ private:
 
   struct Leaf {
     const Piece* piece;
-    const Cell* cell;
-    int shift; ///< its side is 2^shift finest cells
+    std::size_t index; ///< in the piece
+    std::int32_t slot; ///< of the nearest point
+    int shift;         ///< its side is 2^shift finest cells
   };
 
   Place
@@ -164,14 +200,26 @@ private:
   {
     const Piece& piece = pieces_[pieceAt(at)];
     int shift = rootShift();
-    const Cell* cell = &piece.cells[rootAt(at)];
-    while (cell->slot < 0) {
+    std::size_t index = rootAt(at);
+    std::int32_t slot = piece.slot[index];
+    while (slot < 0) {
       --shift;
       const int octant = ((at.x >> shift) & 1) | (((at.y >> shift) & 1) << 1) |
                          (((at.z >> shift) & 1) << 2);
-      cell = &piece.cells[static_cast<std::size_t>(~cell->slot + octant)];
+      index = static_cast<std::size_t>(~slot + octant);
+      slot = piece.slot[index];
     }
-    return {&piece, cell, shift};
+    return {&piece, index, slot, shift};
+  }
+
+  /** \param[in] nearest to the centre of the cell of x */
+  float
+  lowerBound(const Eigen::Vector3f& x,
+             const Eigen::Vector3f& centre,
+             const Eigen::Vector3f& nearest) const
+  {
+    return (centre - nearest).norm() / widening - (x - centre).norm() * widening -
+           slack_;
   }
 
   Eigen::Vector3f

@@ -33,8 +33,8 @@ struct GroupCIDs::Effort {
 };
 
 /** The middle shows that most groups are far from each other. */
-constexpr GroupCIDs::Effort GroupCIDs::rough = {1, false};
-constexpr GroupCIDs::Effort GroupCIDs::good = {3, true};
+constexpr std::array<GroupCIDs::Effort, 3> GroupCIDs::efforts = {
+    {{1, false}, {3, false}, {3, true}}};
 
 GroupCIDs::GroupCIDs(const DistanceField& field,
                      const Points& points,
@@ -49,7 +49,7 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
 , threads_(threadCount(options.execution.threads))
 , progress_(progress)
 , values_(drawn_.size() * drawn_.size(), 0.0)
-, known_(values_.size(), Known::roughly)
+, efforts_(values_.size(), 1)
 {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < drawn_.size(); ++i)
@@ -67,7 +67,7 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
                   if (exactly)
                     evaluate(pairs[k]);
                   else
-                    values_[place(pairs[k])] = lowerBound(pairs[k], rough);
+                    values_[place(pairs[k])] = lowerBound(pairs[k], efforts.front());
               });
 }
 
@@ -89,13 +89,13 @@ GroupCIDs::tighten(const std::vector<Pair>& pairs)
 void
 GroupCIDs::tighten(Pair pair)
 {
-  Known& known = known_[place(pair)];
-  if (known != Known::roughly) {
+  std::uint8_t& tried = efforts_[place(pair)];
+  if (tried == efforts.size()) {
     evaluate(pair);
     return;
   }
-  values_[place(pair)] = lowerBound(pair, good);
-  known = Known::well;
+  values_[place(pair)] = std::max(values_[place(pair)], lowerBound(pair, efforts[tried]));
+  ++tried;
 }
 
 void
@@ -106,7 +106,7 @@ GroupCIDs::evaluate(Pair pair)
     const Segment segment{position(p), position(q), false};
     return costOf(p, q).of(pointCID(field_, segment, order_, infinity, hint));
   });
-  known_[place(pair)] = Known::exactly;
+  efforts_[place(pair)] = exact;
 }
 
 /** Eq. 3 of what each pair of points costs. */
@@ -140,11 +140,11 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
   float largest = 0.0f;
   std::size_t farthest = order_.last() / 2;
   for (std::size_t k = 0; k < std::min(order_.levels().size(), effort.levels); ++k)
-    for (const SampleOrder::Entry& entry : order_.levels()[k]) {
-      const float low = field_.grid().bounds(segment.at(entry.sample)).low;
+    for (const std::size_t l : order_.levels()[k]) {
+      const float low = field_.grid().lowerBound(segment.at(l));
       if (low > largest) {
         largest = low;
-        farthest = entry.sample;
+        farthest = l;
       }
     }
   if (effort.exact_at_farthest)

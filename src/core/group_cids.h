@@ -14,6 +14,7 @@
 
 #include <pcl_cid/core/group_merging.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -39,7 +40,7 @@ public:
   bool
   isExact(Pair pair) const
   {
-    return known_[place(pair)] == Known::exactly;
+    return efforts_[place(pair)] == exact;
   }
 
   /** \brief CID_g or, while it is not exact, a lower bound of it. */
@@ -55,8 +56,6 @@ public:
   tighten(const std::vector<Pair>& pairs);
 
 private:
-  enum class Known : std::uint8_t { roughly, well, exactly };
-
   std::size_t
   place(Pair pair) const
   {
@@ -74,8 +73,8 @@ private:
   meanOf(Pair pair, CostOfTwo costOfTwo) const;
 
   struct Effort;
-  static const Effort rough;
-  static const Effort good;
+  static const std::array<Effort, 3> efforts; ///< one after the other
+  static constexpr std::uint8_t exact = 255;  ///< in the place of their number
 
   double
   lowerBound(Pair pair, const Effort& effort) const;
@@ -108,7 +107,7 @@ private:
   int threads_;
   Progress& progress_;
   std::vector<double> values_;
-  std::vector<Known> known_;
+  std::vector<std::uint8_t> efforts_; ///< how many were made for a pair
   std::size_t tightened_ = 0;
 };
 

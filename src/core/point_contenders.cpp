@@ -42,12 +42,14 @@ BlockGroups::contenders(std::size_t b, const State& state)
 }
 
 /** Whether some seed brings D_min of a point below a floor; its upper bound then takes
- *  all seeds into account. */
+ *  all seeds into account.
+ *  \param[out] closest the seed of the bound, when it was found here */
 bool
 BlockGroups::fallsShort(const Target& point,
                         float floor,
                         std::vector<Contender>& open,
-                        State& state)
+                        State& state,
+                        Closeness& closest)
 {
   std::sort(open.begin(), open.end());
   float high = floor;
@@ -61,13 +63,23 @@ BlockGroups::fallsShort(const Target& point,
       const float below = cost.cidBelow(high);
       const float cid = boundPointCID(
           field_, segmentTo(contender, point), order_, below, contender.rival->hint);
-      if (cid < below)
+      if (cid < below) {
         high = cost.of(cid);
+        closest = {contender.number, cid};
+      }
     }
   }
   state.bounded = static_cast<std::int32_t>(seeds_.size());
   state.high = std::min(state.high, high);
   return high < floor;
+}
+
+/** The seed that a decided point belongs to. */
+BlockGroups::Closeness
+BlockGroups::closenessOf(const Target& point, const State& state) const
+{
+  const Seed& seed = seeds_[static_cast<std::size_t>(state.group)];
+  return {state.group, costs_.between(seed.index, point.index).cidWithin(state.cid)};
 }
 
 /** Compare a point with all seeds that it was not compared with, best first. Of a few,
@@ -124,7 +136,7 @@ BlockGroups::boundAtHint(const Contender& contender, const Target& point) const
 {
   const SegmentSamples samples(
       seedOf(contender).position, point.position, order_.samples());
-  const float low = grid_.bounds(samples.at(contender.rival->hint)).low - samples.slack;
+  const float low = grid_.lowerBound(samples.at(contender.rival->hint)) - samples.slack;
   return costOf(contender, point).of(std::max(low, 0.0f));
 }
 

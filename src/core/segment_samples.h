@@ -22,15 +22,10 @@ namespace pcl_cid {
 
 /** \brief The samples 0 .. M - 1 of a segment by bisection: both ends, the middle, the
  *  quarters, and so on. What is far from the surface is met early, and each sample
- *  after the ends lies between two of earlier levels. */
+ *  after the ends lies between two of earlier levels, whose looks often settle it. */
 class SampleOrder {
 public:
-  struct Entry {
-    std::size_t sample;
-    std::size_t left;  ///< the nearest sample before it of an earlier level
-    std::size_t right; ///< and after it
-  };
-  using Level = std::vector<Entry>;
+  using Level = std::vector<std::size_t>;
 
   /** Numbers that are worked on together. */
   static constexpr int packet = 4;
@@ -41,16 +36,8 @@ public:
     const float share = 1.0f / static_cast<float>(samples - 1);
     for (int l = 0; l < fractions_.size(); ++l)
       fractions_[l] = static_cast<float>(std::min(l, samples - 1)) * share;
-    Level open;
-    addBetween(0, last(), open);
-    while (!open.empty()) {
-      Level next;
-      for (const Entry& entry : open) {
-        addBetween(entry.left, entry.sample, next);
-        addBetween(entry.sample, entry.right, next);
-      }
-      levels_.push_back(std::exchange(open, std::move(next)));
-    }
+    for (std::vector<Gap> gaps = {{0, last()}}; !gaps.empty();)
+      gaps = halve(gaps);
   }
 
   /** \brief M. */
@@ -83,17 +70,29 @@ public:
   }
 
 private:
-  static std::size_t
-  middle(std::size_t left, std::size_t right)
-  {
-    return left + (right - left) / 2;
-  }
+  /** Two samples of earlier levels, with others between them. */
+  struct Gap {
+    std::size_t left, right;
+  };
 
-  static void
-  addBetween(std::size_t left, std::size_t right, Level& level)
+  /** A level of the samples in the middle of gaps.
+   *  \return the gaps that remain */
+  std::vector<Gap>
+  halve(const std::vector<Gap>& gaps)
   {
-    if (right - left > 1)
-      level.push_back({middle(left, right), left, right});
+    Level level;
+    std::vector<Gap> smaller;
+    for (const Gap& gap : gaps) {
+      const std::size_t middle = gap.left + (gap.right - gap.left) / 2;
+      if (middle == gap.left)
+        continue;
+      level.push_back(middle);
+      smaller.push_back({gap.left, middle});
+      smaller.push_back({middle, gap.right});
+    }
+    if (!level.empty())
+      levels_.push_back(std::move(level));
+    return smaller;
   }
 
   int samples_;
@@ -131,16 +130,6 @@ struct SegmentSamples {
   at(std::size_t sample) const
   {
     return from + along * fraction(sample);
-  }
-
-  /** \brief An upper bound of d at a sample from bounds at the two that enclose it: d
-   *  is 1-Lipschitz, so it is at most the mean of both and of their distance. */
-  float
-  between(const SampleOrder::Entry& entry, const std::vector<float>& high) const
-  {
-    return 0.5f * (high[entry.left] + high[entry.right] +
-                   spacing * static_cast<float>(entry.right - entry.left)) +
-           slack;
   }
 };
 

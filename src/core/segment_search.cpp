@@ -10,6 +10,7 @@
 #include "segment_search.h"
 
 #include "distance_grid.h"
+#include "sample_caps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ struct Look {
 
 /** What a search keeps from call to call: there are millions of them. */
 struct Scratch {
-  Eigen::ArrayXf squared_high; ///< by sample: an upper bound of d^2
+  Eigen::ArrayXf caps;
   std::vector<Look> looks;
 };
 
@@ -45,11 +46,7 @@ scratchOfThread()
   return scratch;
 }
 
-/** An upper bound of d at each sample of a segment, exact values where needed.
- *
- *  Any point n of the surface bounds d at all samples at once: d(x) <= |x - n|, and the
- *  square of that is a polynomial of degree 2 along the segment. Some points, and the
- *  smallest of their bounds says how far from the surface each sample can be. */
+/** An upper bound of d at each sample of a segment, exact values where needed. */
 class SegmentSearch {
 public:
   SegmentSearch(const DistanceField& field,
@@ -59,8 +56,7 @@ public:
   , segment_(segment)
   , order_(order)
   , samples_(segment.p, segment.q, order.samples())
-  , squared_length_(samples_.along.squaredNorm())
-  , scratch_(scratchOfThread())
+  , caps_(samples_, order, scratchOfThread().caps)
   {
   }
 
@@ -74,7 +70,7 @@ public:
       return at_hint.distance;
     start(limit);
     settle(hint, at_hint);
-    const float target = squareOf(limit);
+    const float target = caps_.squareOf(limit);
     for (const std::size_t end : {std::size_t{0}, order_.last()})
       if (reaches(end, limit, target))
         return reached_;
@@ -89,21 +85,21 @@ public:
     return std::nullopt;
   }
 
-  /** The largest upper bound; \a limit when one is that large. */
+  /** The largest cap; \a limit when one is that large. */
   float
   bound(float limit, std::size_t& hint)
   {
     start(limit);
     lookUp(hint);
-    const float target = squareOf(limit);
-    float largest = std::max({0.0f, high(hint), high(0), high(order_.last())});
+    const float target = caps_.squareOf(limit);
+    float largest = std::max({0.0f, caps_[hint], caps_[0], caps_[order_.last()]});
     for (const SampleOrder::Level& level : order_.levels()) {
       if (largest >= target)
         return limit;
       lookUpAbove(level, largest);
       for (const Look& look : looks_)
-        if (high(look.sample) > largest) {
-          largest = high(look.sample);
+        if (caps_[look.sample] > largest) {
+          largest = caps_[look.sample];
           hint = look.sample;
         }
     }
@@ -124,47 +120,28 @@ public:
         lookUpAbove(order_.levels()[k], 0.0f);
     }
     for (;;) {
-      const float highest = highs_.maxCoeff();
-      if (!(highest >= squareOf(largest_)))
+      const float highest = caps_.largest();
+      if (!(highest >= caps_.squareOf(largest_)))
         return largest_;
       aim_ = std::sqrt(highest);
-      const auto l = static_cast<std::size_t>(
-          std::find(highs_.begin(), highs_.end(), highest) - highs_.begin());
+      const std::size_t l = caps_.find(highest);
       lookUp(l);
-      if (high(l) < highest)
+      if (caps_[l] < highest)
         continue;
       settle(l, evaluate(l));
-      if (high(l) == settled && reached_ == largest_)
+      if (caps_[l] == SampleCaps::settled && reached_ == largest_)
         hint = l;
     }
   }
 
 private:
-  /** The bound of a sample whose distance is known, and is part of `largest_`. */
-  static constexpr float settled = -1.0f;
-
-  float&
-  high(std::size_t l)
-  {
-    return highs_[static_cast<Eigen::Index>(l)];
-  }
-
-  /** A squared bound below this shows that d is below a distance. */
-  float
-  squareOf(float distance) const
-  {
-    const float certain = std::max(distance - samples_.slack, 0.0f);
-    return certain * certain * (1.0f - 4.0f * epsilon);
-  }
-
-  /** \param[in] aim bounds that are larger would be of no use, metres */
+  /** \param[in] aim caps that are larger would be of no use, metres */
   void
   start(float aim)
   {
     started_ = true;
     aim_ = aim;
-    highs_.setConstant(order_.fractions().size(), infinity);
-    highs_.tail(order_.fractions().size() - order_.samples()) = settled;
+    caps_.reset();
     for (const std::size_t end : {std::size_t{0}, order_.last()})
       if (segment_.between_surface_points)
         settle(end, {end == 0 ? segment_.p : segment_.q, 0.0f});
@@ -172,15 +149,18 @@ private:
         lookUp(end);
   }
 
-  /** Look up those samples of a level whose bounds are no smaller than a target, side
-   *  by side. */
+  /** Look up those samples of a level whose caps are no smaller than a target, side by
+   *  side. */
   void
   lookUpAbove(const SampleOrder::Level& level, float target)
   {
-    looks_.clear();
-    for (const SampleOrder::Entry& entry : level)
-      if (high(entry.sample) >= target)
-        looks_.push_back({entry.sample, Eigen::Vector3f::Zero(), 0.0f});
+    looks_.resize(level.size());
+    std::size_t kept = 0;
+    for (const std::size_t l : level) { // no branch to guess wrong
+      looks_[kept].sample = l;
+      kept += caps_[l] >= target;
+    }
+    looks_.resize(kept);
     for (Look& look : looks_)
       look = lookAt(look.sample);
     for (const Look& look : looks_)
@@ -201,35 +181,15 @@ private:
     return {l, point, (x - point).norm()};
   }
 
-  /** Lower the bounds of the samples that a surface point is near to. At t from 0 to 1
-   *  along the segment, |x - n|^2 = a + b t + c t^2; what rounding can take from it is
-   *  less than 16 epsilon (a + c), or what float cannot tell from 0. */
   void
   take(const Look& look)
   {
-    const Eigen::Vector3f from = samples_.from - look.point;
-    const float b = 2.0f * samples_.along.dot(from);
-    const float c = squared_length_;
-    float a = from.squaredNorm();
-    a += 16.0f * epsilon * (a + c) + std::numeric_limits<float>::min();
-
-    // Farther samples are not within `aim_` of the point.
-    constexpr Eigen::Index packet = SampleOrder::packet;
-    Eigen::Index first = 0;
-    Eigen::Index end = highs_.size();
+    // Samples that are farther away are not within `aim_` of the point.
     const float reach = (aim_ + look.distance) / samples_.spacing + 1.0f;
-    if (reach < static_cast<float>(order_.samples())) {
-      const auto samples = static_cast<Eigen::Index>(reach);
-      const auto l = static_cast<Eigen::Index>(look.sample);
-      first = std::max<Eigen::Index>(l - samples, 0) / packet * packet;
-      end = std::min(end, (l + samples) / packet * packet + packet);
-    }
-    using Packet = Eigen::Array<float, packet, 1>;
-    for (Eigen::Index k = first; k < end; k += packet) {
-      const auto t = Packet::MapAligned(order_.fractions().data() + k);
-      auto high = Packet::MapAligned(highs_.data() + k);
-      high = high.min(a + t * (b + c * t));
-    }
+    const std::size_t all = order_.last();
+    caps_.lower(look.point,
+                look.sample,
+                reach < static_cast<float>(all) ? static_cast<std::size_t>(reach) : all);
   }
 
   /** Whether d at a sample is at least the limit; `reached_` is then between the two.
@@ -237,9 +197,9 @@ private:
   bool
   reaches(std::size_t l, float limit, float target)
   {
-    if (high(l) < target)
+    if (caps_[l] < target)
       return false;
-    reached_ = field_.grid().bounds(samples_.at(l)).low - samples_.slack;
+    reached_ = field_.grid().lowerBound(samples_.at(l)) - samples_.slack;
     if (reached_ < limit)
       settle(l, evaluate(l));
     return reached_ >= limit;
@@ -258,21 +218,19 @@ private:
     reached_ = nearest.distance;
     largest_ = std::max(largest_, reached_);
     take({l, nearest.point, nearest.distance});
-    high(l) = settled;
+    caps_[l] = SampleCaps::settled;
   }
 
   const DistanceField& field_;
   const Segment& segment_;
   const SampleOrder& order_;
   SegmentSamples samples_;
-  float squared_length_;
+  SampleCaps caps_;
   bool started_ = false;
   float aim_ = infinity;
   float largest_ = 0.0f; ///< of the exact distances so far
   float reached_ = 0.0f; ///< the last distance, or a lower bound of it
-  Scratch& scratch_;
-  Eigen::ArrayXf& highs_ = scratch_.squared_high;
-  std::vector<Look>& looks_ = scratch_.looks;
+  std::vector<Look>& looks_ = scratchOfThread().looks;
 };
 
 } // namespace

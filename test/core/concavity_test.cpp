@@ -15,6 +15,7 @@
 #include <pcl_cid/exceptions.h>
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +119,21 @@ TEST_P(ConcavityOfClouds, Equation2NeverExceedsEquation1)
     EXPECT_LE(pointCID(field_, p, q, 100),
               continuousPointCID(field_, p, q, tolerance) + tolerance +
                   1e-6f * diagonal);
+}
+
+TEST_P(ConcavityOfClouds, ChangesByNoMoreThanAPointMoves)
+{
+  float magnitude = 0.0f;
+  for (const Eigen::Vector3f& point : points_)
+    magnitude = std::max(magnitude, point.cwiseAbs().maxCoeff());
+  const float slack = 32.0f * std::numeric_limits<float>::epsilon() * magnitude;
+  const std::vector<Pair> pairs = randomPairs(points_, 300, 27);
+  for (std::size_t k = 0; k + 1 < pairs.size(); ++k) {
+    const auto& [p, q] = pairs[k];
+    const Eigen::Vector3f moved = pairs[k + 1].p;
+    EXPECT_LE(pointCID(field_, moved, q, 100),
+              (pointCID(field_, p, q, 100) + (moved - p).norm()) * 1.00001f + slack);
+  }
 }
 
 TEST_P(ConcavityOfClouds, InvariantUnderRigidMotion)

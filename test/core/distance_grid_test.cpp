@@ -98,10 +98,11 @@ TEST_P(GridOfClouds, BoundsHoldAtEveryProbe)
   const Indexed indexed(GetParam().points);
   std::size_t violated = 0;
   for (const Eigen::Vector3f& x : probes(GetParam().points, 40000, 135)) {
-    const DistanceBounds bounds = indexed.grid.bounds(x);
+    const DistanceBounds bounds = indexed.grid.look(x).bounds;
     const double d = indexed.distance(x);
     violated += static_cast<double>(bounds.low) > d;
     violated += static_cast<double>(bounds.high) < d;
+    EXPECT_EQ(indexed.grid.lowerBound(x), bounds.low);
     const double likely = (x - indexed.grid.likelyNearest(x)).cast<double>().norm();
     violated += static_cast<double>(bounds.high) < likely;
   }
@@ -137,7 +138,7 @@ TEST_P(GridOfClouds, LittleMemoryIsKeptToAndChangesNoAnswer)
     // Every piece of the even grid may overrun by one division and its lists.
     EXPECT_LE(poor.grid.bytes(), budget + 512 * 8 * (8 + 4 * 130));
     for (const Eigen::Vector3f& x : probes(GetParam().points, 200, 137)) {
-      const DistanceBounds bounds = poor.grid.bounds(x);
+      const DistanceBounds bounds = poor.grid.look(x).bounds;
       const double d = rich.distance(x);
       EXPECT_LE(static_cast<double>(bounds.low), d);
       EXPECT_GE(static_cast<double>(bounds.high), d);
@@ -157,8 +158,8 @@ TEST_P(GridOfClouds, IsTheSameForEveryNumberOfThreads)
     const Indexed parallel(GetParam().points, plenty, threads);
     EXPECT_EQ(parallel.grid.bytes(), serial.grid.bytes());
     for (const Eigen::Vector3f& probe : x) {
-      EXPECT_EQ(parallel.grid.bounds(probe).low, serial.grid.bounds(probe).low);
-      EXPECT_EQ(parallel.grid.bounds(probe).high, serial.grid.bounds(probe).high);
+      EXPECT_EQ(parallel.grid.look(probe).bounds.low, serial.grid.look(probe).bounds.low);
+      EXPECT_EQ(parallel.grid.look(probe).bounds.high, serial.grid.look(probe).bounds.high);
       EXPECT_EQ(parallel.grid.nearest(probe).slot, serial.grid.nearest(probe).slot);
     }
   }
@@ -178,7 +179,7 @@ TEST(DistanceGrid, BoundsAreTightNearTheSurface)
   const Points x = probes(points, 3000, 140);
   for (const Eigen::Vector3f& probe : x)
     gap +=
-        static_cast<double>(indexed.grid.bounds(probe).high) - indexed.distance(probe);
+        static_cast<double>(indexed.grid.look(probe).bounds.high) - indexed.distance(probe);
   const double spacing = std::sqrt(12.0 / 30000.0);
   EXPECT_LT(gap / static_cast<double>(x.size()), 2.0 * spacing);
 }
@@ -193,7 +194,7 @@ TEST(DistanceGrid, BoundsHoldOnRealScans)
     const Indexed indexed(points);
     std::size_t violated = 0;
     for (const Eigen::Vector3f& x : probes(points, 30000, 141)) {
-      const DistanceBounds bounds = indexed.grid.bounds(x);
+      const DistanceBounds bounds = indexed.grid.look(x).bounds;
       const double d = indexed.distance(x);
       violated += static_cast<double>(bounds.low) > d;
       violated += static_cast<double>(bounds.high) < d;

@@ -25,13 +25,21 @@
 namespace pcl_cid::test {
 namespace {
 
-TEST(PairCost, NoCIDBelowTheInverseReachesTheLimit)
-{
-  RandomGenerator generator(5);
-  const auto draw = [&](float least, float most) {
+/** Numbers between two others, each order of magnitude as often. */
+struct LogUniform {
+  RandomGenerator generator;
+
+  float
+  operator()(float least, float most)
+  {
     const float share = static_cast<float>(drawBelow(generator, 1u << 20)) / (1u << 20);
     return least * std::pow(most / least, share);
-  };
+  }
+};
+
+TEST(PairCost, NoCIDBelowTheInverseReachesTheLimit)
+{
+  LogUniform draw{RandomGenerator(5)};
   for (int n = 0; n < 20000; ++n) {
     const PairCost cost{draw(0.01f, 100.0f), n % 3 == 0 ? 0.0f : draw(1e-6f, 10.0f)};
     const float limit = n % 2 == 0 ? cost.of(draw(1e-6f, 10.0f)) : draw(1e-6f, 10.0f);
@@ -44,6 +52,18 @@ TEST(PairCost, NoCIDBelowTheInverseReachesTheLimit)
   }
   EXPECT_EQ(PairCost().cidBelow(INFINITY), INFINITY);
   EXPECT_EQ((PairCost{2.0f, 0.5f}.cidBelow(0.25f)), 0.0f);
+}
+
+TEST(PairCost, NoCIDOfACostExceedsTheInverse)
+{
+  LogUniform draw{RandomGenerator(6)};
+  for (int n = 0; n < 20000; ++n) {
+    const PairCost cost{draw(0.01f, 100.0f), n % 3 == 0 ? 0.0f : draw(1e-6f, 10.0f)};
+    const float cid = n % 7 == 0 ? 0.0f : draw(1e-6f, 10.0f);
+    const float within = cost.cidWithin(cost.of(cid));
+    EXPECT_GE(within, cid);
+    EXPECT_LE(cost.of(within), cost.of(cid) + 1e-5f * (cost.of(cid) + cost.cue));
+  }
 }
 
 TEST(PairCosts, AreTheFormula)

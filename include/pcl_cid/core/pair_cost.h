@@ -35,6 +35,8 @@ struct PairCost {
   float weight = 1.0f; ///< above 0
   float cue = 0.0f;    ///< metres, 0 or more
 
+  static constexpr float rounding = 4.0f * std::numeric_limits<float>::epsilon();
+
   float
   of(float cid) const
   {
@@ -46,9 +48,17 @@ struct PairCost {
   float
   cidBelow(float limit) const
   {
-    constexpr float rounding = 4.0f * std::numeric_limits<float>::epsilon();
     const float rest = limit * (1.0f - rounding) - cue * (1.0f + rounding);
     return std::max(rest / weight * (1.0f - rounding), 0.0f);
+  }
+
+  /** \brief A CID that no pair of this cost exceeds: the inverse of of(), plus what
+   *  rounding can take. */
+  float
+  cidWithin(float cost) const
+  {
+    const float rest = cost * (1.0f + rounding) - cue * (1.0f - rounding);
+    return rest / weight * (1.0f + rounding);
   }
 };
 

@@ -1,0 +1,116 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Upper bounds of d at all samples of a segment, each from some surface points.
+ */
+
+#pragma once
+
+#include "segment_samples.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include <Eigen/Core>
+
+namespace pcl_cid {
+
+/** \brief An upper bound of d^2 at each sample of a segment.
+ *
+ *  Any point n of the surface bounds d at all samples at once: d(x) <= |x - n|, and the
+ *  square of that is a polynomial of degree 2 along the segment. Some points, and the
+ *  smallest of their bounds says how far from the surface each sample can be. */
+class SampleCaps {
+public:
+  /** The cap of a sample that is out of the question. */
+  static constexpr float settled = -1.0f;
+
+  /** \param[in] storage of the caps: there are millions of segments
+   *  All three are kept by reference. */
+  SampleCaps(const SegmentSamples& segment,
+             const SampleOrder& order,
+             Eigen::ArrayXf& storage)
+  : segment_(segment)
+  , order_(order)
+  , squared_length_(segment.along.squaredNorm())
+  , caps_(storage)
+  {
+  }
+
+  /** \brief Forget all points. */
+  void
+  reset()
+  {
+    caps_.setConstant(order_.fractions().size(), std::numeric_limits<float>::infinity());
+    caps_.tail(order_.fractions().size() - order_.samples()) = settled;
+  }
+
+  /** \brief The square of at least d at a sample, but for what segment.slack covers. */
+  float&
+  operator[](std::size_t sample)
+  {
+    return caps_[static_cast<Eigen::Index>(sample)];
+  }
+
+  float
+  largest() const
+  {
+    return caps_.maxCoeff();
+  }
+
+  /** \brief The first sample with this cap. */
+  std::size_t
+  find(float cap) const
+  {
+    return static_cast<std::size_t>(std::find(caps_.begin(), caps_.end(), cap) -
+                                    caps_.begin());
+  }
+
+  /** \brief A cap below this shows that d is below a distance. */
+  float
+  squareOf(float distance) const
+  {
+    const float certain = std::max(distance - segment_.slack, 0.0f);
+    return certain * certain * (1.0f - 4.0f * epsilon);
+  }
+
+  /** \brief Lower the caps of the samples that a surface point is near to.
+   *  \param[in] sample the one that the point was found at
+   *  \param[in] reach how many samples before and after that one */
+  void
+  lower(const Eigen::Vector3f& point, std::size_t sample, std::size_t reach)
+  {
+    // At t from 0 to 1 along the segment, |x - n|^2 = a + b t + c t^2; what rounding
+    // can take from it is less than 16 epsilon (a + c), or what float cannot tell from
+    // 0.
+    const Eigen::Vector3f from = segment_.from - point;
+    const float b = 2.0f * segment_.along.dot(from);
+    const float c = squared_length_;
+    float a = from.squaredNorm();
+    a += 16.0f * epsilon * (a + c) + std::numeric_limits<float>::min();
+
+    constexpr std::size_t packet = SampleOrder::packet;
+    const std::size_t first = sample - std::min(sample, reach);
+    const std::size_t last = std::min(sample + reach, order_.last());
+    using Packet = Eigen::Array<float, packet, 1>;
+    for (std::size_t k = first / packet * packet; k <= last; k += packet) {
+      const auto t = Packet::MapAligned(order_.fractions().data() + k);
+      auto caps = Packet::MapAligned(caps_.data() + k);
+      caps = caps.min(a + t * (b + c * t));
+    }
+  }
+
+private:
+  static constexpr float epsilon = std::numeric_limits<float>::epsilon();
+
+  const SegmentSamples& segment_;
+  const SampleOrder& order_;
+  float squared_length_;
+  Eigen::ArrayXf& caps_;
+};
+
+} // namespace pcl_cid
