@@ -64,21 +64,36 @@ requireFileOrNothing(const std::string& path)
 
 /** An empty file beside the target, of a name that nothing has yet. */
 std::string
-makePartial(const std::string& path, const fs::path& target)
+makeBeside(const std::string& path, const fs::path& target)
 {
   for (int attempt = 0;; ++attempt) {
-    const fs::path partial = target.parent_path() /
-                             ("." + target.filename().string() + ".partial-" +
-                              std::to_string(getpid()) + "-" + std::to_string(attempt));
+    const fs::path beside = target.parent_path() /
+                            ("." + target.filename().string() + ".partial-" +
+                             std::to_string(getpid()) + "-" + std::to_string(attempt));
     const int file =
-        open(partial.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+        open(beside.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file >= 0) {
       close(file);
-      return partial.string();
+      return beside.string();
     }
     if (errno != EEXIST)
       throw CIDException(path + ": cannot be written: " + std::strerror(errno));
   }
+}
+
+/** Let what was written reach the disk: a file that is put in place before that may be
+ *  empty after a power failure. */
+void
+synchronize(const std::string& path, const std::string& written)
+{
+  const int file = open(written.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = file >= 0 && fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0)
+    close(file);
+  if (!done)
+    throw CIDException(path +
+                       ": could not be written in full: " + std::strerror(reason));
 }
 
 } // namespace
@@ -108,7 +123,7 @@ OutputFiles::announce(const std::string& path)
     if (target == output.target)
       throw CIDException(path + ": is written twice, the other time as " + output.path +
                          "; choose another name");
-  outputs_.push_back({path, target.string(), makePartial(path, target)});
+  outputs_.push_back({path, target.string(), makeBeside(path, target)});
 }
 
 void
@@ -146,6 +161,7 @@ OutputFiles::write(const std::string& path,
   if (!stream)
     throw CIDException(path +
                        ": could not be written in full: " + std::strerror(errno));
+  synchronize(path, output.partial);
 }
 
 std::string
@@ -157,24 +173,52 @@ OutputFiles::pathBeforeCommit(const std::string& path)
 void
 OutputFiles::commit()
 {
-  for (std::size_t i = 0; i < outputs_.size(); ++i) {
-    std::error_code error;
-    fs::rename(outputs_[i].partial, outputs_[i].target, error);
-    if (error)
-      takeBack(i, outputs_[i].path + ": cannot be put in place: " + error.message());
+  std::vector<std::string> placed;
+  try {
+    for (const Output& output : outputs_) {
+      setAside(output.path, output.target);
+      std::error_code error;
+      fs::rename(output.partial, output.target, error);
+      if (error)
+        throw CIDException(output.path + ": cannot be put in place: " + error.message());
+      placed.push_back(output.target);
+    }
+    for (const Removal& removal : removals_)
+      if (!isOutput(removal.target))
+        setAside(removal.path, removal.path);
   }
-  for (const Removal& removal : removals_) {
-    std::error_code error;
-    if (!isOutput(removal.target))
-      fs::remove(removal.path, error);
-    if (error)
-      takeBack(outputs_.size(),
-               removal.path +
-                   ": is of an earlier run and cannot be removed: " + error.message());
+  catch (...) {
+    takeBack(placed);
+    throw;
   }
+  std::error_code ignored;
+  for (const Aside& older : aside_)
+    fs::remove(older.beside, ignored);
+  aside_.clear();
   outputs_.clear();
   made_folders_.clear();
   removals_.clear();
+}
+
+/** Make room for an output, for as long as not all are in place. */
+void
+OutputFiles::setAside(const std::string& path, const std::string& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(file, error);
+  if (!fs::exists(status))
+    return;
+  if (fs::is_directory(status))
+    throw CIDException(path + ": is a folder, which is never replaced or removed");
+  const std::string beside = makeBeside(path, file);
+  fs::rename(file, beside, error);
+  if (error) {
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    throw CIDException(path + ": is of an earlier run and cannot be replaced: " +
+                       error.message());
+  }
+  aside_.push_back({file, beside});
 }
 
 void
@@ -195,12 +239,14 @@ OutputFiles::isOutput(const std::string& target) const
 }
 
 void
-OutputFiles::takeBack(std::size_t placed, const std::string& reason)
+OutputFiles::takeBack(const std::vector<std::string>& placed)
 {
   std::error_code ignored;
-  for (std::size_t i = 0; i < placed; ++i)
-    fs::remove(outputs_[i].target, ignored);
-  throw CIDException(reason);
+  for (const std::string& file : placed)
+    fs::remove(file, ignored);
+  for (const Aside& older : aside_)
+    fs::rename(older.beside, older.file, ignored);
+  aside_.clear();
 }
 
 OutputFiles::Output&

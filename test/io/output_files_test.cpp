@@ -161,14 +161,19 @@ TEST_F(OutputFilesTest, FollowLinks)
 
 TEST_F(OutputFilesTest, DisappearAgainWhenOneCannotBePlaced)
 {
-  OutputFiles outputs({});
-  for (const char* const name : {"a", "b"}) {
-    outputs.announce(folder_.file(name));
-    outputs.write(folder_.file(name), write_new);
+  writeText(folder_.file("older"), "old");
+  {
+    OutputFiles outputs({});
+    for (const char* const name : {"a", "older", "b"}) {
+      outputs.announce(folder_.file(name));
+      outputs.write(folder_.file(name), write_new);
+    }
+    fs::create_directory(folder_.file("b")); // somebody was faster
+    EXPECT_THROW(outputs.commit(), CIDException);
+    EXPECT_FALSE(fs::exists(folder_.file("a")));
   }
-  fs::create_directory(folder_.file("b")); // somebody was faster
-  EXPECT_THROW(outputs.commit(), CIDException);
-  EXPECT_FALSE(fs::exists(folder_.file("a")));
+  EXPECT_EQ(folder_.names(), (Names{"b", "older"}));
+  EXPECT_EQ(readText(folder_.file("older")), "old");
 }
 
 TEST_F(OutputFilesTest, MakeAFolderForThem)
@@ -255,12 +260,17 @@ TEST_F(OutputFilesTest, DisappearAgainWhenAnEarlierFileCannotBeRemoved)
 {
   fs::create_directory(folder_.file("old"));
   writeText(folder_.file("old/file"), "text");
+  writeText(folder_.file("a"), "old");
+  writeText(folder_.file("older"), "old");
   OutputFiles outputs({});
   outputs.announce(folder_.file("a"));
-  outputs.announceRemoval(folder_.file("old"));
+  for (const char* const name : {"older", "old"})
+    outputs.announceRemoval(folder_.file(name));
   outputs.write(folder_.file("a"), write_new);
   EXPECT_THROW(outputs.commit(), CIDException);
-  EXPECT_EQ(folder_.names(), Names{"old"});
+  EXPECT_EQ(folder_.names(), (Names{"a", "old", "older"}));
+  for (const char* const name : {"a", "older"})
+    EXPECT_EQ(readText(folder_.file(name)), "old");
 }
 
 TEST_F(OutputFilesTest, MustBeAnnounced)

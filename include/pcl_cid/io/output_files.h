@@ -22,7 +22,7 @@ namespace pcl_cid {
 /** \brief The outputs of one run.
  *
  *  Each is written beside its place, under a name of its own, and renamed once all of
- *  them are written; until then, and when anything fails, nothing appears and what was
+ *  them are written and on the disk; until then, and when anything fails, nothing appears and what was
  *  there before stays.
  *
  *  \code
@@ -74,8 +74,8 @@ public:
   pathBeforeCommit(const std::string& path);
 
   /** \brief Let all outputs appear, then remove what was announced for it.
-   *  \throws CIDException when one cannot; then none stays. An older file that was
-   *  replaced or removed already is lost */
+   *  \throws CIDException when one cannot; then none stays, and every older file is
+   *  back in its place */
   void
   commit();
 
@@ -97,9 +97,18 @@ private:
   bool
   isOutput(const std::string& target) const;
 
-  /** Remove the first \a placed outputs again. */
-  [[noreturn]] void
-  takeBack(std::size_t placed, const std::string& reason);
+  /** A file of an earlier run that has made room. */
+  struct Aside {
+    std::string file;   ///< where it was
+    std::string beside; ///< where it is
+  };
+
+  void
+  setAside(const std::string& path, const std::string& file);
+
+  /** Remove outputs again, and put back what was set aside. */
+  void
+  takeBack(const std::vector<std::string>& placed);
 
   Output&
   find(const std::string& path);
@@ -108,6 +117,7 @@ private:
   std::vector<Output> outputs_;
   std::vector<std::string> made_folders_;
   std::vector<Removal> removals_;
+  std::vector<Aside> aside_;
 };
 
 } // namespace pcl_cid
