@@ -32,7 +32,8 @@ struct GroupCIDs::Effort {
   bool exact_at_farthest; ///< whether the best of them is evaluated
 };
 
-/** The middle shows that most groups are far from each other. */
+/** The middle shows that most groups are far from each other. Each step after that is
+ *  a fraction of the next one's cost, and settles many of the pairs. */
 constexpr std::array<GroupCIDs::Effort, 3> GroupCIDs::efforts = {
     {{1, false}, {3, false}, {3, true}}};
 
@@ -152,11 +153,12 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
   return std::max(largest - segment.slack, 0.0f);
 }
 
-/** Where the progress stands, if all pairs were to be made exact: two steps each. */
+/** Where the progress stands, if all pairs were to be made exact. */
 ProgressSpan
 GroupCIDs::share() const
 {
-  const auto all = static_cast<double>(drawn_.size() * drawn_.size());
+  const auto pairs = static_cast<double>(drawn_.size() * drawn_.size()) / 2.0;
+  const double all = pairs * static_cast<double>(efforts.size());
   const double done = static_cast<double>(tightened_) / all;
   const double fraction = bounds_share + (1.0 - bounds_share) * std::min(done, 1.0);
   return {fraction, fraction};
