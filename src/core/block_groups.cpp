@@ -8,6 +8,7 @@
  */
 
 #include "block_groups.h"
+#include "sample_caps.h"
 
 #include <algorithm>
 #include <array>
@@ -75,6 +76,7 @@ BlockGroups::BlockGroups(const DistanceField& field,
 , progress_(progress)
 , states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0, 0})
 , rivals_(tree_.size())
+, likely_(tree_.size(), -1)
 , upper_(2 * tree_.size(), infinity)
 , slot_of_point_(points.size())
 , marks_(states_.size(), 0)
@@ -290,11 +292,12 @@ BlockGroups::settle(std::size_t b, float floor, const Query& query)
       std::vector<Contender>& open = contenders(b, state);
       const float least =
           PairCost{factor[static_cast<std::size_t>(best)]}.cidBelow(floor);
-      Closeness closest;
-      if (!fallsShort(target(b, best), least, open, state, closest)) {
+      Closeness closest = fallsShort(target(b, best), least, likely_[b], open, state);
+      if (closest.number < 0) {
         decide(target(b, best), true, open, state);
         closest = closenessOf(target(b, best), state);
       }
+      likely_[b] = closest.number;
       shareWithNeighbors(b, best, closest);
     }
     else if (query.seeds && !gains(b, best))
@@ -310,8 +313,6 @@ BlockGroups::settle(std::size_t b, float floor, const Query& query)
 void
 BlockGroups::shareWithNeighbors(std::size_t b, int row, const Closeness& closest)
 {
-  if (closest.number < 0)
-    return;
   constexpr float rounding = 1.00001f;
   const PointBlock& block = tree_.block(b);
   const Eigen::Array<float, PointBlock::capacity, 1> cid =
@@ -340,7 +341,7 @@ BlockGroups::blocksAbove(float floor) const
     if (tree_.isBlock(node))
       blocks.push_back(node - tree_.size());
     else
-      open.insert(open.end(), {2 * node, 2 * node + 1});
+      open.insert(open.end(), {2 * node + 1, 2 * node});
   }
   return blocks;
 }

@@ -13,7 +13,6 @@
 #include "distance_grid.h"
 #include "node_costs.h"
 #include "parallel_for.h"
-#include "sample_caps.h"
 #include "segment_search.h"
 #include <pcl_cid/core/soft_draw.h>
 
@@ -98,7 +97,7 @@ private:
     float cid;            ///< D_min over the first `decided` seeds
     std::int32_t group;   ///< argmin over them
     std::int32_t decided; ///< number of seeds that it was compared with
-    std::int32_t bounded; ///< number of seeds that `high` takes into account
+    std::int32_t tried;   ///< number of seeds that are not tried again for `high`
   };
 
   /** A seed that a point may belong to. */
@@ -185,12 +184,12 @@ private:
   std::vector<Contender>&
   contenders(std::size_t block, const State& state);
 
-  bool
+  Closeness
   fallsShort(const Target& point,
              float floor,
+             std::int32_t likely,
              std::vector<Contender>& open,
-             State& state,
-             Closeness& closest);
+             State& state);
 
   Closeness
   closenessOf(const Target& point, const State& state) const;
@@ -267,6 +266,7 @@ private:
   std::vector<Seed> seeds_;
   std::vector<State> states_;              ///< by slot
   std::vector<std::vector<Rival>> rivals_; ///< by block
+  std::vector<std::int32_t> likely_; ///< by block: a seed that a point was close to
   std::vector<float> upper_; ///< by node: at least D_min of each of its points
   std::vector<std::int32_t> slot_of_point_;
   std::vector<std::uint8_t> marks_; ///< by slot: of Mark

@@ -95,7 +95,7 @@ GroupCIDs::tighten(Pair pair)
     evaluate(pair);
     return;
   }
-  values_[place(pair)] = std::max(values_[place(pair)], lowerBound(pair, efforts[tried]));
+  values_[place(pair)] = lowerBound(pair, efforts[tried]);
   ++tried;
 }
 
@@ -150,7 +150,8 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
     }
   if (effort.exact_at_farthest)
     largest = std::max(largest, field_.distance(segment.at(farthest)));
-  return std::max(largest - segment.slack, 0.0f);
+  constexpr float rounding = 8.0f * std::numeric_limits<float>::epsilon();
+  return std::max(largest * (1.0f - rounding) - segment.slack, 0.0f);
 }
 
 /** Where the progress stands, if all pairs were to be made exact. */

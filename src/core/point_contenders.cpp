@@ -41,37 +41,36 @@ BlockGroups::contenders(std::size_t b, const State& state)
   return contenders;
 }
 
-/** Whether some seed brings D_min of a point below a floor; its upper bound then takes
- *  all seeds into account.
- *  \param[out] closest the seed of the bound, when it was found here */
-bool
+/** Whether some seed brings D_min of a point below a floor: one is enough. Most often
+ *  it is the one that did for the point of the block before.
+ *  \param[in] likely the number of that seed; -1 for none
+ *  \return the seed, or none; the point's upper bound then takes it into account */
+BlockGroups::Closeness
 BlockGroups::fallsShort(const Target& point,
                         float floor,
+                        std::int32_t likely,
                         std::vector<Contender>& open,
-                        State& state,
-                        Closeness& closest)
+                        State& state)
 {
-  std::sort(open.begin(), open.end());
-  float high = floor;
+  std::sort(open.begin(), open.end(), [likely](const auto& a, const auto& b) {
+    return std::make_pair(a.number != likely, a) < std::make_pair(b.number != likely, b);
+  });
+  Closeness closest;
   for (const Contender& contender : open) {
-    if (contender.low >= high)
+    if (contender.settled || contender.low >= floor || contender.number < state.tried)
+      continue;
+    const PairCost cost = costOf(contender, point);
+    const float below = cost.cidBelow(floor);
+    const float cid = boundPointCID(
+        field_, segmentTo(contender, point), order_, below, contender.rival->hint);
+    if (cid < below) {
+      closest = {contender.number, cid};
+      state.high = std::min(state.high, cost.of(cid));
       break;
-    if (contender.settled)
-      high = contender.low;
-    else if (contender.number >= state.bounded) {
-      const PairCost cost = costOf(contender, point);
-      const float below = cost.cidBelow(high);
-      const float cid = boundPointCID(
-          field_, segmentTo(contender, point), order_, below, contender.rival->hint);
-      if (cid < below) {
-        high = cost.of(cid);
-        closest = {contender.number, cid};
-      }
     }
   }
-  state.bounded = static_cast<std::int32_t>(seeds_.size());
-  state.high = std::min(state.high, high);
-  return high < floor;
+  state.tried = static_cast<std::int32_t>(seeds_.size());
+  return closest;
 }
 
 /** The seed that a decided point belongs to. */

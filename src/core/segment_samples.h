@@ -4,8 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The samples of a segment: in which order to look at them, and which to pass
- * over.
+ * The samples of a segment: in which order to look at them, and where they are in
+ * float.
  */
 
 #pragma once

@@ -61,7 +61,8 @@ public:
   }
 
   /** One sample that is far enough decides, most often where it did for the segment
-   *  before; an upper bound below the limit at each shows that there is none. */
+   *  before or beside that; an upper bound below the limit at each shows that there is
+   *  none. */
   std::optional<float>
   findAtLeast(float limit, std::size_t& hint)
   {
@@ -74,6 +75,15 @@ public:
     for (const std::size_t end : {std::size_t{0}, order_.last()})
       if (reaches(end, limit, target))
         return reached_;
+    const std::size_t before = hint - std::min<std::size_t>(hint, 1);
+    for (const std::size_t beside : {before, std::min(hint + 1, order_.last())}) {
+      if (caps_[beside] >= target)
+        lookUp(beside);
+      if (reaches(beside, limit, target)) {
+        hint = beside;
+        return reached_;
+      }
+    }
     for (const SampleOrder::Level& level : order_.levels()) {
       lookUpAbove(level, target);
       for (const Look& look : looks_)
@@ -85,25 +95,32 @@ public:
     return std::nullopt;
   }
 
-  /** The largest cap; \a limit when one is that large. */
+  /** An upper bound, from looks at the samples that may raise it; \a limit when some
+   *  sample is that far from the surface. */
   float
   bound(float limit, std::size_t& hint)
   {
     start(limit);
     lookUp(hint);
     const float target = caps_.squareOf(limit);
-    float largest = std::max({0.0f, caps_[hint], caps_[0], caps_[order_.last()]});
-    for (const SampleOrder::Level& level : order_.levels()) {
-      if (largest >= target)
+    float largest = 0.0f;
+    for (const std::size_t l : {hint, std::size_t{0}, order_.last()}) {
+      if (reaches(l, limit, target))
         return limit;
-      lookUpAbove(level, largest);
-      for (const Look& look : looks_)
-        if (caps_[look.sample] > largest) {
-          largest = caps_[look.sample];
-          hint = look.sample;
-        }
+      largest = std::max(largest, capOrDistance(l));
     }
-    return std::sqrt(largest) * (1.0f + epsilon) + samples_.slack;
+    for (const SampleOrder::Level& level : order_.levels()) {
+      lookUpAbove(level, largest);
+      for (const Look& look : looks_) {
+        const bool reached = reaches(look.sample, limit, target);
+        if (reached || capOrDistance(look.sample) > largest)
+          hint = look.sample;
+        if (reached)
+          return limit;
+        largest = std::max(largest, capOrDistance(look.sample));
+      }
+    }
+    return std::sqrt(largest) * (1.0f + 4.0f * epsilon) + samples_.slack;
   }
 
   /** The largest distance: look where it can be largest, evaluate where looking does
@@ -129,7 +146,7 @@ public:
       if (caps_[l] < highest)
         continue;
       settle(l, evaluate(l));
-      if (caps_[l] == SampleCaps::settled && reached_ == largest_)
+      if (reached_ == largest_)
         hint = l;
     }
   }
@@ -203,6 +220,13 @@ private:
     if (reached_ < limit)
       settle(l, evaluate(l));
     return reached_ >= limit;
+  }
+
+  /** The square of at least d at a sample, or at one that is farther. */
+  float
+  capOrDistance(std::size_t l)
+  {
+    return std::max(caps_[l], largest_ * largest_);
   }
 
   DistanceField::Nearest

@@ -37,8 +37,8 @@ findCIDAtLeast(const DistanceField& field,
                float limit,
                std::size_t& hint);
 
-/** \brief An upper bound of the CID of a segment, from bounds of d alone; \a limit or
- *  more when it is of no use.
+/** \brief An upper bound of the CID of a segment, with exact distances only where they
+ *  decide whether it is below a limit; \a limit when the CID is not.
  *  \param[in,out] hint as for findCIDAtLeast() */
 float
 boundPointCID(const DistanceField& field,

@@ -62,23 +62,53 @@ requireFileOrNothing(const std::string& path)
                        ": exists and is not a regular file; choose another name");
 }
 
-/** An empty file beside the target, of a name that nothing has yet. */
+/** Make something beside a file, under a name that nothing has yet.
+ *  \param[in] purpose part of the name
+ *  \param[in] make called with names; returns 0 or what kept it from being made, EEXIST
+ *  for the next name */
+template <typename Make>
 std::string
-makeBeside(const std::string& path, const fs::path& target)
+makeBeside(const std::string& path,
+           const fs::path& file,
+           const std::string& purpose,
+           Make make)
 {
   for (int attempt = 0;; ++attempt) {
-    const fs::path beside = target.parent_path() /
-                            ("." + target.filename().string() + ".partial-" +
+    const fs::path beside = file.parent_path() /
+                            ("." + file.filename().string() + "." + purpose + "-" +
                              std::to_string(getpid()) + "-" + std::to_string(attempt));
-    const int file =
-        open(beside.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-    if (file >= 0) {
-      close(file);
+    const int reason = make(beside.string());
+    if (reason == 0)
       return beside.string();
-    }
-    if (errno != EEXIST)
-      throw CIDException(path + ": cannot be written: " + std::strerror(errno));
+    if (reason != EEXIST)
+      throw CIDException(path + ": cannot be written: " + std::strerror(reason));
   }
+}
+
+/** \return 0 or the reason */
+int
+makeEmpty(const std::string& name)
+{
+  const int file = open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0)
+    return errno;
+  close(file);
+  return 0;
+}
+
+/** A second name for a file; where there are no such names, its only one.
+ *  \return 0 or the reason */
+int
+makeLink(const std::string& file, const std::string& name)
+{
+  if (link(file.c_str(), name.c_str()) == 0)
+    return 0;
+  if (errno == EEXIST)
+    return EEXIST;
+  const int reason = makeEmpty(name);
+  if (reason != 0)
+    return reason;
+  return rename(file.c_str(), name.c_str()) == 0 ? 0 : errno;
 }
 
 /** Let what was written reach the disk: a file that is put in place before that may be
@@ -87,11 +117,13 @@ void
 synchronize(const std::string& path, const std::string& written)
 {
   const int file = open(written.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool done = file >= 0 && fsync(file) == 0;
-  const int reason = errno;
+  int reason = file < 0 ? errno : EINTR;
+  while (file >= 0 && reason == EINTR)
+    reason = fsync(file) == 0 ? 0 : errno;
   if (file >= 0)
     close(file);
-  if (!done)
+  const bool is_promised = reason != EINVAL && reason != ENOTSUP; // not everywhere
+  if (reason != 0 && is_promised)
     throw CIDException(path +
                        ": could not be written in full: " + std::strerror(reason));
 }
@@ -123,7 +155,7 @@ OutputFiles::announce(const std::string& path)
     if (target == output.target)
       throw CIDException(path + ": is written twice, the other time as " + output.path +
                          "; choose another name");
-  outputs_.push_back({path, target.string(), makeBeside(path, target)});
+  outputs_.push_back({path, target.string(), makeBeside(path, target, "partial", makeEmpty)});
 }
 
 void
@@ -173,52 +205,56 @@ OutputFiles::pathBeforeCommit(const std::string& path)
 void
 OutputFiles::commit()
 {
-  std::vector<std::string> placed;
   try {
     for (const Output& output : outputs_) {
-      setAside(output.path, output.target);
+      keepOlder(output.path, output.target);
       std::error_code error;
       fs::rename(output.partial, output.target, error);
       if (error)
         throw CIDException(output.path + ": cannot be put in place: " + error.message());
-      placed.push_back(output.target);
     }
     for (const Removal& removal : removals_)
-      if (!isOutput(removal.target))
-        setAside(removal.path, removal.path);
+      if (!isOutput(removal.target)) {
+        keepOlder(removal.path, removal.path);
+        std::error_code error;
+        fs::remove(removal.path, error);
+        if (error)
+          throw CIDException(removal.path + ": is of an earlier run and cannot be "
+                                            "removed: " +
+                             error.message());
+      }
+  }
+  catch (const CIDException& failure) {
+    throw CIDException(failure.what() + takeBack());
   }
   catch (...) {
-    takeBack(placed);
+    takeBack();
     throw;
   }
   std::error_code ignored;
-  for (const Aside& older : aside_)
-    fs::remove(older.beside, ignored);
-  aside_.clear();
+  for (const Change& change : changes_)
+    fs::remove(change.older, ignored);
+  changes_.clear();
   outputs_.clear();
   made_folders_.clear();
   removals_.clear();
 }
 
-/** Make room for an output, for as long as not all are in place. */
+/** Note that a file changes, and keep what is there for as long as not all are in
+ *  place. */
 void
-OutputFiles::setAside(const std::string& path, const std::string& file)
+OutputFiles::keepOlder(const std::string& path, const std::string& file)
 {
   std::error_code error;
   const fs::file_status status = fs::symlink_status(file, error);
-  if (!fs::exists(status))
-    return;
+  if (status.type() == fs::file_type::none)
+    throw CIDException(path + ": cannot be put in place: " + error.message());
   if (fs::is_directory(status))
     throw CIDException(path + ": is a folder, which is never replaced or removed");
-  const std::string beside = makeBeside(path, file);
-  fs::rename(file, beside, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    throw CIDException(path + ": is of an earlier run and cannot be replaced: " +
-                       error.message());
-  }
-  aside_.push_back({file, beside});
+  changes_.push_back({file, ""});
+  if (fs::exists(status))
+    changes_.back().older = makeBeside(
+        path, file, "older", [&](const auto& name) { return makeLink(file, name); });
 }
 
 void
@@ -238,15 +274,26 @@ OutputFiles::isOutput(const std::string& target) const
   });
 }
 
-void
-OutputFiles::takeBack(const std::vector<std::string>& placed)
+/** Undo all changes.
+ *  \return what could not be undone, for the message */
+std::string
+OutputFiles::takeBack()
 {
-  std::error_code ignored;
-  for (const std::string& file : placed)
-    fs::remove(file, ignored);
-  for (const Aside& older : aside_)
-    fs::rename(older.beside, older.file, ignored);
-  aside_.clear();
+  std::string lost;
+  for (const Change& change : changes_) {
+    std::error_code error;
+    if (change.older.empty())
+      fs::remove(change.file, error);
+    else
+      fs::rename(change.older, change.file, error);
+    // Two names of one file: then nothing has changed, and rename() has nothing to do.
+    if (!error && !change.older.empty())
+      fs::remove(change.older, error);
+    if (error && !change.older.empty())
+      lost += "; the older " + change.file + " is now " + change.older;
+  }
+  changes_.clear();
+  return lost;
 }
 
 OutputFiles::Output&

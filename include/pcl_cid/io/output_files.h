@@ -75,7 +75,7 @@ public:
 
   /** \brief Let all outputs appear, then remove what was announced for it.
    *  \throws CIDException when one cannot; then none stays, and every older file is
-   *  back in its place */
+   *  back in its place (or the message says where it is) */
   void
   commit();
 
@@ -97,18 +97,17 @@ private:
   bool
   isOutput(const std::string& target) const;
 
-  /** A file of an earlier run that has made room. */
-  struct Aside {
-    std::string file;   ///< where it was
-    std::string beside; ///< where it is
+  /** A file that commit() replaces, removes or lets appear. */
+  struct Change {
+    std::string file;
+    std::string older; ///< where what was there is until all is done; empty: nothing was
   };
 
   void
-  setAside(const std::string& path, const std::string& file);
+  keepOlder(const std::string& path, const std::string& file);
 
-  /** Remove outputs again, and put back what was set aside. */
-  void
-  takeBack(const std::vector<std::string>& placed);
+  std::string
+  takeBack();
 
   Output&
   find(const std::string& path);
@@ -117,7 +116,7 @@ private:
   std::vector<Output> outputs_;
   std::vector<std::string> made_folders_;
   std::vector<Removal> removals_;
-  std::vector<Aside> aside_;
+  std::vector<Change> changes_;
 };
 
 } // namespace pcl_cid
