@@ -71,8 +71,9 @@ BlockGroups::BlockGroups(const DistanceField& field,
 , tree_(own_tree_ ? *own_tree_ : field.blocks())
 , costs_(options.costs, tree_, threads_, progress)
 , order_(options.samples)
-, slack_(32.0f * std::numeric_limits<float>::epsilon() *
-         std::max(tree_.box(1).low.abs().maxCoeff(), tree_.box(1).high.abs().maxCoeff()))
+, slack_(
+      32.0f * std::numeric_limits<float>::epsilon() *
+      std::max(tree_.box(1).low.abs().maxCoeff(), tree_.box(1).high.abs().maxCoeff()))
 , progress_(progress)
 , states_(tree_.size() * PointBlock::capacity, State{infinity, infinity, -1, 0, 0})
 , rivals_(tree_.size())

@@ -267,7 +267,7 @@ private:
   std::vector<State> states_;              ///< by slot
   std::vector<std::vector<Rival>> rivals_; ///< by block
   std::vector<std::int32_t> likely_; ///< by block: a seed that a point was close to
-  std::vector<float> upper_; ///< by node: at least D_min of each of its points
+  std::vector<float> upper_;         ///< by node: at least D_min of each of its points
   std::vector<std::int32_t> slot_of_point_;
   std::vector<std::uint8_t> marks_; ///< by slot: of Mark
 };

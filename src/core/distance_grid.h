@@ -104,7 +104,8 @@ private:
 
   /** One of the 8^piece_bits_ equal cubes that the grid is made in, each by one thread:
    *  its part of the even grid, then the cells that those are divided into. Most looks
-   *  need no list: the members of the cells are kept apart for the sake of the cache. */
+   *  need no list: the members of the cells are kept apart for the sake of the cache.
+   */
   struct Piece {
     std::vector<std::int32_t> slot;  ///< of each cell
     std::vector<std::uint32_t> list; ///< of each cell

@@ -53,7 +53,8 @@ BlockGroups::fallsShort(const Target& point,
                         State& state)
 {
   std::sort(open.begin(), open.end(), [likely](const auto& a, const auto& b) {
-    return std::make_pair(a.number != likely, a) < std::make_pair(b.number != likely, b);
+    return std::make_pair(a.number != likely, a) <
+           std::make_pair(b.number != likely, b);
   });
   Closeness closest;
   for (const Contender& contender : open) {

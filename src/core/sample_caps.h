@@ -45,7 +45,8 @@ public:
   void
   reset()
   {
-    caps_.setConstant(order_.fractions().size(), std::numeric_limits<float>::infinity());
+    caps_.setConstant(order_.fractions().size(),
+                      std::numeric_limits<float>::infinity());
     caps_.tail(order_.fractions().size() - order_.samples()) = settled;
   }
 

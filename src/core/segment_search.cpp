@@ -206,7 +206,8 @@ private:
     const std::size_t all = order_.last();
     caps_.lower(look.point,
                 look.sample,
-                reach < static_cast<float>(all) ? static_cast<std::size_t>(reach) : all);
+                reach < static_cast<float>(all) ? static_cast<std::size_t>(reach)
+                                                : all);
   }
 
   /** Whether d at a sample is at least the limit; `reached_` is then between the two.

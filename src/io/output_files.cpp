@@ -74,9 +74,9 @@ makeBeside(const std::string& path,
            Make make)
 {
   for (int attempt = 0;; ++attempt) {
-    const fs::path beside = file.parent_path() /
-                            ("." + file.filename().string() + "." + purpose + "-" +
-                             std::to_string(getpid()) + "-" + std::to_string(attempt));
+    const fs::path beside =
+        file.parent_path() / ("." + file.filename().string() + "." + purpose + "-" +
+                              std::to_string(getpid()) + "-" + std::to_string(attempt));
     const int reason = make(beside.string());
     if (reason == 0)
       return beside.string();
@@ -155,7 +155,8 @@ OutputFiles::announce(const std::string& path)
     if (target == output.target)
       throw CIDException(path + ": is written twice, the other time as " + output.path +
                          "; choose another name");
-  outputs_.push_back({path, target.string(), makeBeside(path, target, "partial", makeEmpty)});
+  outputs_.push_back(
+      {path, target.string(), makeBeside(path, target, "partial", makeEmpty)});
 }
 
 void
@@ -211,7 +212,8 @@ OutputFiles::commit()
       std::error_code error;
       fs::rename(output.partial, output.target, error);
       if (error)
-        throw CIDException(output.path + ": cannot be put in place: " + error.message());
+        throw CIDException(output.path +
+                           ": cannot be put in place: " + error.message());
     }
     for (const Removal& removal : removals_)
       if (!isOutput(removal.target)) {
@@ -219,8 +221,9 @@ OutputFiles::commit()
         std::error_code error;
         fs::remove(removal.path, error);
         if (error)
-          throw CIDException(removal.path + ": is of an earlier run and cannot be "
-                                            "removed: " +
+          throw CIDException(removal.path +
+                             ": is of an earlier run and cannot be "
+                             "removed: " +
                              error.message());
       }
   }

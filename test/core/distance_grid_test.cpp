@@ -158,8 +158,10 @@ TEST_P(GridOfClouds, IsTheSameForEveryNumberOfThreads)
     const Indexed parallel(GetParam().points, plenty, threads);
     EXPECT_EQ(parallel.grid.bytes(), serial.grid.bytes());
     for (const Eigen::Vector3f& probe : x) {
-      EXPECT_EQ(parallel.grid.look(probe).bounds.low, serial.grid.look(probe).bounds.low);
-      EXPECT_EQ(parallel.grid.look(probe).bounds.high, serial.grid.look(probe).bounds.high);
+      EXPECT_EQ(parallel.grid.look(probe).bounds.low,
+                serial.grid.look(probe).bounds.low);
+      EXPECT_EQ(parallel.grid.look(probe).bounds.high,
+                serial.grid.look(probe).bounds.high);
       EXPECT_EQ(parallel.grid.nearest(probe).slot, serial.grid.nearest(probe).slot);
     }
   }
@@ -178,8 +180,8 @@ TEST(DistanceGrid, BoundsAreTightNearTheSurface)
   double gap = 0.0;
   const Points x = probes(points, 3000, 140);
   for (const Eigen::Vector3f& probe : x)
-    gap +=
-        static_cast<double>(indexed.grid.look(probe).bounds.high) - indexed.distance(probe);
+    gap += static_cast<double>(indexed.grid.look(probe).bounds.high) -
+           indexed.distance(probe);
   const double spacing = std::sqrt(12.0 / 30000.0);
   EXPECT_LT(gap / static_cast<double>(x.size()), 2.0 * spacing);
 }
