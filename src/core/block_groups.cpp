@@ -205,9 +205,8 @@ BlockGroups::compareBlock(std::size_t node, const Seed& seed, std::size_t hint)
   caps.reset();
   Rival rival{static_cast<std::int32_t>(seeds_.size()) - 1, 0.0f, 0.0f, hint};
   const auto loses = [&](std::size_t l) {
-    const Eigen::Vector3f x = segment.at(l);
     const float reach = segment.fraction(l) * radius + segment.slack;
-    const DistanceGrid::Look look = grid_.look(x);
+    const DistanceGrid::Look look = grid_.look(segment.at(l));
     if (look.bounds.low - reach > rival.low) {
       rival.low = look.bounds.low - reach;
       rival.hint = l;

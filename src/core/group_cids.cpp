@@ -50,7 +50,7 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
 , threads_(threadCount(options.execution.threads))
 , progress_(progress)
 , values_(drawn_.size() * drawn_.size(), 0.0)
-, efforts_(values_.size(), 1)
+, tried_(values_.size(), 1)
 {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < drawn_.size(); ++i)
@@ -90,7 +90,7 @@ GroupCIDs::tighten(const std::vector<Pair>& pairs)
 void
 GroupCIDs::tighten(Pair pair)
 {
-  std::uint8_t& tried = efforts_[place(pair)];
+  std::uint8_t& tried = tried_[place(pair)];
   if (tried == efforts.size()) {
     evaluate(pair);
     return;
@@ -107,7 +107,7 @@ GroupCIDs::evaluate(Pair pair)
     const Segment segment{position(p), position(q), false};
     return costOf(p, q).of(pointCID(field_, segment, order_, infinity, hint));
   });
-  efforts_[place(pair)] = exact;
+  tried_[place(pair)] = exact;
 }
 
 /** Eq. 3 of what each pair of points costs. */

@@ -40,7 +40,7 @@ public:
   bool
   isExact(Pair pair) const
   {
-    return efforts_[place(pair)] == exact;
+    return tried_[place(pair)] == exact;
   }
 
   /** \brief CID_g or, while it is not exact, a lower bound of it. */
@@ -107,7 +107,7 @@ private:
   int threads_;
   Progress& progress_;
   std::vector<double> values_;
-  std::vector<std::uint8_t> efforts_; ///< how many were made for a pair
+  std::vector<std::uint8_t> tried_; ///< how many were made for a pair
   std::size_t tightened_ = 0;
 };
 

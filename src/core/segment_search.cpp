@@ -223,11 +223,12 @@ private:
     return reached_ >= limit;
   }
 
-  /** The square of at least d at a sample, or at one that is farther. */
+  /** The square of at least d at a sample, or at one that is farther. What is added
+   *  stands for distances whose squares float cannot tell from 0. */
   float
   capOrDistance(std::size_t l)
   {
-    return std::max(caps_[l], largest_ * largest_);
+    return std::max(caps_[l], largest_ * largest_ + std::numeric_limits<float>::min());
   }
 
   DistanceField::Nearest
