@@ -27,10 +27,10 @@ struct IndexedPoint {
 PointBox
 boxOf(const IndexedPoint* begin, const IndexedPoint* end)
 {
-  PointBox box{begin->position.array(), begin->position.array()};
+  PointBox box{padded(begin->position), padded(begin->position)};
   for (const IndexedPoint* p = begin; p != end; ++p) {
-    box.low = box.low.min(p->position.array());
-    box.high = box.high.max(p->position.array());
+    box.low = box.low.min(padded(p->position));
+    box.high = box.high.max(padded(p->position));
   }
   return box;
 }

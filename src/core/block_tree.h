@@ -53,15 +53,22 @@ struct alignas(16) PointBlock {
   }
 };
 
-/** \brief A box that holds points. */
+/** \brief Three coordinates and a 0, for one instruction on all. */
+inline Eigen::Array4f
+padded(const Eigen::Vector3f& p)
+{
+  return {p.x(), p.y(), p.z(), 0.0f};
+}
+
+/** \brief A box that holds points, padded. */
 struct PointBox {
-  Eigen::Array3f low;
-  Eigen::Array3f high;
+  Eigen::Array4f low;
+  Eigen::Array4f high;
 
   Eigen::Vector3f
   centre() const
   {
-    return (0.5f * (low + high)).matrix();
+    return (0.5f * (low + high)).matrix().head<3>();
   }
 
   /** \brief At least the distance from the centre to any point of the box. */
@@ -71,12 +78,11 @@ struct PointBox {
     return (0.5f * (high - low)).matrix().norm() * 1.00001f;
   }
 
-  /** \brief Squared distance from a point to the box, 0 inside. */
+  /** \brief Squared distance from a padded point to the box, 0 inside. */
   float
-  squaredDistance(const Eigen::Vector3f& p) const
+  squaredDistance(const Eigen::Array4f& p) const
   {
-    const Eigen::Array3f outside = (low - p.array()).max(p.array() - high).max(0.0f);
-    return outside.matrix().squaredNorm();
+    return (low - p).max(p - high).max(0.0f).square().sum();
   }
 };
 
@@ -144,9 +150,10 @@ public:
     std::int32_t slot = -1;
   };
 
-  /** \brief Improve on the nearest point found so far with the points below a node. */
+  /** \brief Improve on the nearest point found so far with the points below a node.
+   *  \param[in] x padded */
   void
-  descend(std::size_t node, const Eigen::Vector3f& x, Nearest& nearest) const
+  descend(std::size_t node, const Eigen::Array4f& x, Nearest& nearest) const
   {
     if (!isBlock(node)) {
       const float left = box(2 * node).squaredDistance(x);
@@ -161,11 +168,12 @@ public:
     scan(node - size(), x, nearest);
   }
 
-  /** \brief Improve on the nearest point found so far with the points of a block. */
+  /** \brief Improve on the nearest point found so far with the points of a block.
+   *  \param[in] x padded */
   void
-  scan(std::size_t number, const Eigen::Vector3f& x, Nearest& nearest) const
+  scan(std::size_t number, const Eigen::Array4f& x, Nearest& nearest) const
   {
-    const auto squared = block(number).squaredDistances(x);
+    const auto squared = block(number).squaredDistances(x.matrix().head<3>());
     const float smallest = squared.minCoeff();
     if (smallest >= nearest.squared_distance)
       return;

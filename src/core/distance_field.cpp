@@ -105,7 +105,7 @@ DistanceField::nearestPoint(const Eigen::Vector3f& x) const
     return {point, std::sqrt((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z())};
   }
   if (found.slot < 0)
-    tree_->descend(1, x, found);
+    tree_->descend(1, padded(x), found);
   // So far away that float cannot say how far: any point is as near.
   return {tree_->position(std::max(found.slot, 0)), std::sqrt(found.squared_distance)};
 }

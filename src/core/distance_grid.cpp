@@ -229,7 +229,7 @@ DistanceGrid::wholeRegion() const
   whole.nodes = {1};
   const Eigen::Vector3f centre = centreOf(whole.corner(), levels);
   BlockTree::Nearest nearest;
-  tree_.descend(1, centre, nearest);
+  tree_.descend(1, padded(centre), nearest);
   whole.slot = nearest.slot;
   whole.distance = std::sqrt(nearest.squared_distance);
   return whole;
@@ -267,6 +267,7 @@ DistanceGrid::makePart(const Region& whole,
   part.y = whole.y + (octant & 2 ? half : 0);
   part.z = whole.z + (octant & 4 ? half : 0);
   const Eigen::Vector3f centre = centreOf(part.corner(), part.shift);
+  const Eigen::Array4f x = padded(centre);
   boxes.measure(centre);
   // The point nearest to the whole's centre is near to this one, too: few of the others
   // are nearer. It is met again, since it is nearer than its own distance rounded up.
@@ -277,7 +278,7 @@ DistanceGrid::makePart(const Region& whole,
   for (Eigen::Index k = 0; k < boxes.size(); ++k)
     if (boxes.squared_distance[k] <= nearest.squared_distance * BlockTree::rounding)
       tree_.descend(static_cast<std::size_t>(boxes.nodes[static_cast<std::size_t>(k)]),
-                    centre,
+                    x,
                     nearest);
   part.slot = nearest.slot;
   part.distance = std::sqrt(nearest.squared_distance);
@@ -301,6 +302,17 @@ DistanceGrid::keepNodes(const Boxes& boxes, Region& part) const
   part.nodes.resize(kept);
 }
 
+/** Whether a cell may hold samples of segments between points: they do not leave the
+ *  box of the points. */
+bool
+DistanceGrid::isVisited(const Region& cell) const
+{
+  const PointBox& box = tree_.box(1);
+  const Eigen::Array4f centre = padded(centreOf(cell.corner(), cell.shift));
+  const float half = 0.5f * finest_ * static_cast<float>(1 << cell.shift) + slack_;
+  return (centre - half <= box.high).all() && (centre + half >= box.low).all();
+}
+
 /** Whether a cell is worth dividing. At x = c + e, |x - n| exceeds d(x) by no more than
  *  about |e|^2 / d(c) where the surface is flat, and by |e| close to it. */
 bool
@@ -309,7 +321,8 @@ DistanceGrid::isCoarse(const Region& cell) const
   const float h = halfDiagonal(cell.shift);
   const auto block = static_cast<std::size_t>(cell.slot / PointBlock::capacity);
   return cell.shift > 0 && h > slack_ && cell.distance <= far_away * h &&
-         h * h > tolerated_error_[block] * std::max(cell.distance, h);
+         h * h > tolerated_error_[block] * std::max(cell.distance, h) &&
+         isVisited(cell);
 }
 
 void
@@ -399,14 +412,15 @@ DistanceGrid::nearest(const Eigen::Vector3f& x) const
   const std::int32_t* list = &leaf.piece->lists[first];
   // The block of the point nearest to the centre first: most others are farther then.
   const auto likely = static_cast<std::size_t>(leaf.slot / PointBlock::capacity);
+  const Eigen::Array4f padded_x = padded(x);
   BlockTree::Nearest nearest;
-  tree_.scan(likely, x, nearest);
+  tree_.scan(likely, padded_x, nearest);
   for (std::int32_t k = 1; k <= list[0]; ++k) {
     const auto node = static_cast<std::size_t>(list[k]);
     if (node != tree_.nodeOfBlock(likely) &&
-        tree_.box(node).squaredDistance(x) <=
+        tree_.box(node).squaredDistance(padded_x) <=
             nearest.squared_distance * BlockTree::rounding)
-      tree_.descend(node, x, nearest);
+      tree_.descend(node, padded_x, nearest);
   }
   return nearest;
 }

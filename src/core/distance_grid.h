@@ -258,6 +258,9 @@ private:
   keepNodes(const Boxes& boxes, Region& part) const;
 
   bool
+  isVisited(const Region& cell) const;
+
+  bool
   isCoarse(const Region& cell) const;
 
   void

@@ -135,18 +135,19 @@ scan(const PointBlock& block,
       nearest.offer(squared[row], block.index[row]);
 }
 
-/** Look at the blocks below a node, but for one. */
+/** Look at the blocks below a node, but for one.
+ *  \param[in] p padded */
 void
 descend(const BlockTree& tree,
         std::size_t node,
         std::size_t known_block,
-        const Eigen::Vector3f& p,
+        const Eigen::Array4f& p,
         std::int32_t self,
         NearestSoFar& nearest)
 {
   if (tree.isBlock(node)) {
     if (node - tree.size() != known_block)
-      scan(tree.block(node - tree.size()), p, self, nearest);
+      scan(tree.block(node - tree.size()), p.matrix().head<3>(), self, nearest);
     return;
   }
   const float left = tree.box(2 * node).squaredDistance(p);
@@ -180,7 +181,7 @@ NearestNeighbors::NearestNeighbors(const Points& points,
         const Eigen::Vector3f p = block.point(row);
         NearestSoFar nearest(count_);
         scan(block, p, block.index[row], nearest);
-        descend(tree, 1, number, p, block.index[row], nearest);
+        descend(tree, 1, number, padded(p), block.index[row], nearest);
         const auto place = static_cast<std::size_t>(block.index[row]);
         for (std::size_t k = 0; k < count_; ++k)
           of_place[place * count_ + k] = nearest.index(k);

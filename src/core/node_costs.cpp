@@ -33,7 +33,7 @@ NodeCosts::NodeCosts(const PairCosts* costs,
   if (!costs->color.empty())
     color_.resize(
         2 * tree.size(),
-        {Eigen::Array3f::Constant(infinity), Eigen::Array3f::Constant(-infinity)});
+        {Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-infinity)});
   parallelFor(tree.size(), 256, threads, progress, {}, [&](auto begin, auto end) {
     for (std::size_t b = begin; b < end; ++b)
       gather(tree, b);
@@ -53,8 +53,8 @@ NodeCosts::gather(const BlockTree& tree, std::size_t block)
       spacing_[node].high = std::max(spacing_[node].high, costs_->spacing[p]);
     }
     if (!color_.empty()) {
-      color_[node].low = color_[node].low.min(costs_->color[p].array());
-      color_[node].high = color_[node].high.max(costs_->color[p].array());
+      color_[node].low = color_[node].low.min(padded(costs_->color[p]));
+      color_[node].high = color_[node].high.max(padded(costs_->color[p]));
     }
   }
 }
@@ -77,9 +77,12 @@ NodeCosts::least(std::size_t node, std::size_t seed) const
   if (!spacing_.empty())
     cost.weight = 2.0f / (spacing_[node].high + costs_->spacing[seed]);
   if (!color_.empty()) {
-    const Eigen::Array3f color = costs_->color[seed].array();
-    cost.cue = roundedDistance(
-        (color_[node].low - color).max(color - color_[node].high).max(0.0f).matrix());
+    const Eigen::Array4f color = padded(costs_->color[seed]);
+    cost.cue = roundedDistance((color_[node].low - color)
+                                   .max(color - color_[node].high)
+                                   .max(0.0f)
+                                   .matrix()
+                                   .head<3>());
   }
   return cost;
 }
@@ -91,9 +94,9 @@ NodeCosts::most(std::size_t node, std::size_t seed) const
   if (!spacing_.empty())
     cost.weight = 2.0f / (spacing_[node].low + costs_->spacing[seed]);
   if (!color_.empty()) {
-    const Eigen::Array3f color = costs_->color[seed].array();
+    const Eigen::Array4f color = padded(costs_->color[seed]);
     cost.cue = roundedDistance(
-        (color - color_[node].low).max(color_[node].high - color).matrix());
+        (color - color_[node].low).max(color_[node].high - color).matrix().head<3>());
   }
   return cost;
 }

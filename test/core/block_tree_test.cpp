@@ -89,7 +89,7 @@ TEST_P(BlockTreeOfClouds, BoxesHoldWhatIsBelowThem)
       for (std::size_t node = tree.nodeOfBlock(b); node > 0; node /= 2) {
         const Eigen::Vector3f p = tree.block(b).point(row);
         const PointBox& box = tree.box(node);
-        EXPECT_EQ(box.squaredDistance(p), 0.0f);
+        EXPECT_EQ(box.squaredDistance(padded(p)), 0.0f);
         EXPECT_LE((p - box.centre()).norm(), box.radius());
       }
 }
@@ -104,7 +104,7 @@ TEST_P(BlockTreeOfClouds, SearchesEqualBruteForceToTheBit)
     for (std::size_t b = 0; b < tree.size(); ++b)
       nearest = std::min(nearest, tree.block(b).squaredDistances(x).minCoeff());
     BlockTree::Nearest found;
-    tree.descend(1, x, found);
+    tree.descend(1, padded(x), found);
     EXPECT_EQ(found.squared_distance, nearest);
     const Eigen::Vector3f d = x - tree.position(found.slot);
     EXPECT_EQ((d.x() * d.x() + d.y() * d.y()) + d.z() * d.z(), nearest);

@@ -38,7 +38,7 @@ struct Indexed {
   squaredDistance(const Eigen::Vector3f& x) const
   {
     BlockTree::Nearest nearest;
-    tree.descend(1, x, nearest);
+    tree.descend(1, padded(x), nearest);
     return nearest.squared_distance;
   }
 
