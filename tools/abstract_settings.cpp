@@ -37,11 +37,12 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
                       {0, INT_MAX, "a whole number, 0 or more"},
                       settings.merges,
                       "merge this many times");
-  line.number("group-samples",
-              "G",
-              {1, 1 << 20, "a whole number, 1 to 1048576"},
-              settings.group_samples,
-              "points of each group that its group CIDs are estimated from");
+  line.number(
+      "group-samples",
+      "G",
+      {1, 1 << 20, "a whole number, 1 to 1048576"},
+      settings.group_samples,
+      "points drawn from each group; its group CIDs are means of so many pairs");
   line.number("min-points",
               "N",
               {1, INT_MAX, "a whole number, at least 1"},

@@ -29,7 +29,7 @@ struct AbstractSettings : Settings {
   std::optional<int> parts;
   std::optional<double> threshold;
   std::optional<int> merges;
-  int group_samples = 16;
+  int group_samples = 32;
   int min_points = 1;
   ConvexPartOptions hulls;
   std::optional<int> max_vertices;

@@ -95,7 +95,8 @@ public:
     return stop_at_cut_;
   }
 
-  /** \brief Points drawn from each group to estimate CID_g: at least 1; default 16. */
+  /** \brief Points drawn from each group to estimate CID_g, of as many pairs: at least
+   *  1; default 32. Two groups with no more pairs than that are compared whole. */
   void
   setGroupSampleSize(int group_sample_size);
 
@@ -225,7 +226,7 @@ private:
 
   MergeCut merge_cut_;
   bool stop_at_cut_ = false;
-  int group_sample_size_ = 16;
+  int group_sample_size_ = 32;
   int min_points_ = 1;
   std::size_t dropped_points_ = 0;
   ConvexPartOptions hull_options_;

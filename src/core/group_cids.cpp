@@ -45,6 +45,7 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
 : field_(field)
 , points_(points)
 , drawn_(std::move(drawn))
+, lattice_(options.group_samples)
 , costs_(options.costs)
 , order_(options.samples)
 , threads_(threadCount(options.execution.threads))
@@ -110,17 +111,25 @@ GroupCIDs::evaluate(Pair pair)
   tried_[place(pair)] = exact;
 }
 
-/** Eq. 3 of what each pair of points costs. */
+/** Eq. 3 of what pairs of points cost: of all pairs, where the lattice has no fewer. */
 template <typename CostOfTwo>
 double
 GroupCIDs::meanOf(Pair pair, CostOfTwo costOfTwo) const
 {
+  const pcl::Indices& from_i = drawn_[pair.i];
+  const pcl::Indices& from_j = drawn_[pair.j];
+  const std::size_t all = from_i.size() * from_j.size();
   double sum = 0.0;
-  for (const pcl::index_t p : drawn_[pair.i])
-    for (const pcl::index_t q : drawn_[pair.j])
-      sum += costOfTwo(p, q);
-  return sum / (static_cast<double>(drawn_[pair.i].size()) *
-                static_cast<double>(drawn_[pair.j].size()));
+  if (all <= lattice_.size()) {
+    for (const pcl::index_t p : from_i)
+      for (const pcl::index_t q : from_j)
+        sum += costOfTwo(p, q);
+    return sum / static_cast<double>(all);
+  }
+  for (std::size_t k = 0; k < lattice_.size(); ++k)
+    sum += costOfTwo(from_i[k * from_i.size() / lattice_.size()],
+                     from_j[lattice_.row(k) * from_j.size() / lattice_.size()]);
+  return sum / static_cast<double>(lattice_.size());
 }
 
 /** The mean of, for each pair of points, a certified lower bound of d at a sample that

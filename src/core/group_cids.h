@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "group_draw.h"
 #include "parallel_for.h"
 #include "segment_samples.h"
 
@@ -102,6 +103,7 @@ private:
   const DistanceField& field_;
   const Points& points_;
   std::vector<pcl::Indices> drawn_;
+  PairLattice lattice_;
   const PairCosts* costs_;
   SampleOrder order_;
   int threads_;

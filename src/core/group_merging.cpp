@@ -8,6 +8,8 @@
  */
 
 #include "group_cids.h"
+#include "group_draw.h"
+#include "parallel_for.h"
 #include "validation.h"
 
 #include <pcl_cid/core/concavity.h>
@@ -41,32 +43,30 @@ membersOfGroups(const std::vector<pcl::index_t>& group, std::size_t groups)
   return members;
 }
 
-/** One point from each of \a count runs of equal length, or all of them. */
-pcl::Indices
-stratifiedDraw(const pcl::Indices& members,
-               std::size_t count,
-               RandomGenerator& generator)
-{
-  pcl::Indices drawn;
-  const std::size_t runs = std::min(count, members.size());
-  for (std::size_t run = 0; run < runs; ++run) {
-    const std::size_t begin = run * members.size() / runs;
-    const std::size_t end = (run + 1) * members.size() / runs;
-    const std::size_t chosen = begin + drawBelow(generator, end - begin);
-    drawn.push_back(members[chosen]);
-  }
-  return drawn;
-}
-
+/** "G'" of Eq. 4. */
 std::vector<pcl::Indices>
-drawFromGroups(const std::vector<pcl::Indices>& members,
-               const GroupMergingOptions& options)
+drawFromGroups(const Points& points,
+               std::vector<pcl::Indices> members,
+               const GroupMergingOptions& options,
+               Progress& progress)
 {
   RandomGenerator generator(options.random_seed);
-  std::vector<pcl::Indices> drawn;
-  for (const pcl::Indices& group : members)
-    drawn.push_back(stratifiedDraw(group, options.group_samples, generator));
-  return drawn;
+  std::vector<RandomGenerator::result_type> random_seeds(members.size());
+  for (auto& random_seed : random_seeds)
+    random_seed = generator();
+  parallelFor(members.size(),
+              1,
+              threadCount(options.execution.threads),
+              progress,
+              {},
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t g = begin; g < end; ++g) {
+                  RandomGenerator of_group(random_seeds[g]);
+                  members[g] = drawSpread(
+                      points, std::move(members[g]), options.group_samples, of_group);
+                }
+              });
+  return members;
 }
 
 /** Pairs of groups that are worked on side by side, when the next merge depends on one.
@@ -303,13 +303,17 @@ mergeGroups(const DistanceField& field,
     throw CIDException(sentence("the height to stop at is ",
                                 options.stop_at_height,
                                 "; it must be 0 metres or more"));
-  const std::vector<pcl::Indices> members = membersOfGroups(group, groups);
+  std::vector<pcl::Indices> members = membersOfGroups(group, groups);
   std::vector<std::size_t> sizes;
   for (const pcl::Indices& of_group : members)
     sizes.push_back(of_group.size());
 
   Progress progress(options.execution.progress);
-  GroupCIDs cids(field, points, drawFromGroups(members, options), options, progress);
+  GroupCIDs cids(field,
+                 points,
+                 drawFromGroups(points, std::move(members), options, progress),
+                 options,
+                 progress);
   AverageLinkage linkage(cids, sizes);
   std::vector<MergeStep> steps =
       linkage.run(options.stop_at_parts, options.stop_at_height);

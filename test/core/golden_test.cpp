@@ -106,7 +106,7 @@ TEST_P(Golden, Algorithm2)
   expectSeedsAndGroups(proposal);
   GroupMergingOptions options;
   options.samples = expected_["samples"];
-  options.group_samples = points_.size();
+  options.group_samples = 1u << 20; // all pairs
   const MergeTree tree = mergeGroups(
       DistanceField(points_), points_, proposal.group, proposal.seeds.size(), options);
   ASSERT_EQ(tree.steps().size(), expected_["merges"].size());

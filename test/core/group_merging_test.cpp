@@ -8,14 +8,18 @@
  */
 
 #include "clouds.h"
+#include "even_sampler.h"
 #include "oracle.h"
+#include "room_scene.h"
 
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
+#include <pcl_cid/core/random.h>
 #include <pcl_cid/core/seed_proposal.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -48,7 +52,7 @@ GroupMergingOptions
 exact()
 {
   GroupMergingOptions options;
-  options.group_samples = 1u << 20; // every group enters whole
+  options.group_samples = 1u << 20; // all pairs of all groups
   options.samples = samples;
   return options;
 }
@@ -315,6 +319,71 @@ TEST(GroupMerging, SampledGroupCIDIsNearTheExactOne)
   EXPECT_NEAR(sampled.steps().back().height,
               whole.steps().back().height,
               0.1 * whole.steps().back().height);
+}
+
+/** CID_g of two of the groups, as mergeGroups() estimates it. */
+double
+estimateOf(const DistanceField& field,
+           const Points& points,
+           const SeedProposal& proposal,
+           const std::array<pcl::index_t, 2>& pair,
+           const GroupMergingOptions& options)
+{
+  std::vector<pcl::index_t> group(points.size(), -1);
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (pcl::index_t side : {0, 1})
+      if (proposal.group[i] == pair[static_cast<std::size_t>(side)])
+        group[i] = side;
+  return mergeGroups(field, points, group, 2, options).steps().front().height;
+}
+
+/** The same from all pairs of some points of each, as the paper does it. */
+double
+estimateOfAllPairs(const DistanceField& field,
+                   const Points& points,
+                   const SeedProposal& proposal,
+                   const std::array<pcl::index_t, 2>& pair,
+                   std::size_t count,
+                   RandomGenerator& generator)
+{
+  std::array<Points, 2> drawn;
+  for (const std::size_t side : {0u, 1u}) {
+    Points members;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (proposal.group[i] == pair[side])
+        members.push_back(points[i]);
+    while (!members.empty() && drawn[side].size() < count) {
+      std::swap(members[drawBelow(generator, members.size())], members.back());
+      drawn[side].push_back(members.back());
+      members.pop_back();
+    }
+  }
+  return groupCID(field, drawn[0], drawn[1], samples);
+}
+
+TEST(GroupMerging, EstimateIsNearerThanThatOfMoreThanSevenTimesAsManyPairs)
+{
+  RoomOptions room;
+  room.seed = 5;
+  const Points points = sampleRoomEvenly(makeRoom(room), 1500, 5).points;
+  const DistanceField field(points);
+  const SeedProposal proposal = groupsOf(points, 16);
+  const auto groups = static_cast<pcl::index_t>(proposal.seeds.size());
+  RandomGenerator generator(6);
+  double ours = 0.0, all_pairs = 0.0;
+  for (pcl::index_t i = 0; i < groups; ++i)
+    for (pcl::index_t j = i + 1; j < groups; ++j) {
+      const std::array<pcl::index_t, 2> pair = {i, j};
+      GroupMergingOptions options; // 32 pairs
+      options.samples = samples;
+      const double truth = estimateOf(field, points, proposal, pair, exact());
+      const double estimate = estimateOf(field, points, proposal, pair, options);
+      const double of_256 =
+          estimateOfAllPairs(field, points, proposal, pair, 16, generator);
+      ours += (estimate - truth) * (estimate - truth);
+      all_pairs += (of_256 - truth) * (of_256 - truth);
+    }
+  EXPECT_LT(ours, all_pairs);
 }
 
 TEST(GroupMerging, CancelAndBadValues)

@@ -251,7 +251,7 @@ TEST_P(TraversalWithCosts, MergingAgreesWithTheOracle)
         proposeSeeds(field, points, 0, settings.options(7, 20));
     GroupMergingOptions options;
     options.samples = 20;
-    options.group_samples = points.size();
+    options.group_samples = 1u << 20; // all pairs
     options.costs = settings.options(1).costs;
     const MergeTree whole =
         mergeGroups(field, points, proposal.group, proposal.seeds.size(), options);

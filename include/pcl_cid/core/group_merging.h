@@ -136,9 +136,10 @@ private:
 
 /** \brief How CID_g is estimated. */
 struct GroupMergingOptions {
-  /** Points drawn from each group (G' in the paper), at least 1; a group with no more
-   *  points than this enters whole, which makes its CID_g exact. */
-  std::size_t group_samples = 16;
+  /** Points drawn from each group (G' in the paper), at least 1. The CID_g of two
+   *  groups is the mean of as many pairs, or of all of them where there are no more:
+   *  then it is exact. */
+  std::size_t group_samples = 32;
   /** M: samples on a segment, min_samples to max_samples. */
   int samples = 100;
   /** What the pairs of points cost: CID_g is the mean of that; null means their CIDs.
@@ -179,9 +180,10 @@ struct GroupMergingOptions {
 
 /** \brief Algorithm 2 (group merging), run to the end or to the stop asked for.
  *
- *  The K x K matrix of CID_g is that of a stratified draw: the members of a group, in
- *  the order of the points, are cut into `group_samples` runs of equal length and one
- *  point is drawn from each. A merge replaces two rows by their mean weighted with the
+ *  The K x K matrix of CID_g is that of `group_samples` points of each group, which are
+ *  spread over all of it, each in one pair for every other group (*ours*; Eq. 4 takes
+ *  all pairs of random points, and is farther from Eq. 3 with eight times as many). A
+ *  merge replaces two rows by their mean weighted with the
  *  true group sizes (Lance-Williams), which is what computing CID_g again would give.
  *  Equal CID_g: the pair of lowest numbers first.
  *  \param[in] field the surface S
@@ -192,7 +194,7 @@ struct GroupMergingOptions {
  *  \throws CIDException for a setting out of its range or an empty group, CIDCancelled
  *  A pair of groups is compared exactly only when the next merge depends on it;
  *  certified lower bounds hold the others back (*ours*).
- *  \note Cost: at most K^2 / 2 x group_samples^2 CID evaluations, for the whole tree,
+ *  \note Cost: at most K^2 / 2 x group_samples CID evaluations, for the whole tree,
  *  and O(K^2 log K). O(K^2) memory. Same result for every number of threads. */
 PCL_CID_EXPORT MergeTree
 mergeGroups(const DistanceField& field,
