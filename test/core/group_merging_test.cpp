@@ -365,9 +365,9 @@ TEST(GroupMerging, EstimateIsNearerThanThatOfMoreThanSevenTimesAsManyPairs)
 {
   RoomOptions room;
   room.seed = 5;
-  const Points points = sampleRoomEvenly(makeRoom(room), 1500, 5).points;
+  const Points points = sampleRoomEvenly(makeRoom(room), 800, 5).points;
   const DistanceField field(points);
-  const SeedProposal proposal = groupsOf(points, 16);
+  const SeedProposal proposal = groupsOf(points, 10);
   const auto groups = static_cast<pcl::index_t>(proposal.seeds.size());
   RandomGenerator generator(6);
   double ours = 0.0, all_pairs = 0.0;
