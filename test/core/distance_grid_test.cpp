@@ -172,6 +172,27 @@ INSTANTIATE_TEST_SUITE_P(Clouds,
                          testing::ValuesIn(clouds()),
                          [](const auto& info) { return info.param.name; });
 
+TEST(DistanceGrid, CellsAreSmallOnlyWhereSegmentsPass)
+{
+  // Two walls: what is between them is in their box, what is behind them is in the
+  // cube of the grid alone.
+  Points walls = randomCube(20000, 139);
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    walls[i].x() = i % 2 == 0 ? 0.0f : 0.5f;
+  const Indexed indexed(walls);
+  double between = 0.0, behind = 0.0;
+  for (const Eigen::Vector3f& wall : randomCube(2000, 141)) {
+    const auto gap = [&](float x) {
+      const Eigen::Vector3f probe(x, wall.y(), wall.z());
+      return static_cast<double>(indexed.grid.look(probe).bounds.high) -
+             indexed.distance(probe);
+    };
+    between += gap(0.49f);
+    behind += gap(0.51f);
+  }
+  EXPECT_LT(2.0 * between, behind);
+}
+
 TEST(DistanceGrid, BoundsAreTightNearTheSurface)
 {
   // Otherwise they would be certified but useless.

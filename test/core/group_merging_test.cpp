@@ -361,7 +361,7 @@ estimateOfAllPairs(const DistanceField& field,
   return groupCID(field, drawn[0], drawn[1], samples);
 }
 
-TEST(GroupMerging, EstimateIsNearerThanThatOfMoreThanSevenTimesAsManyPairs)
+TEST(GroupMerging, EstimateIsNearerThanThatOfAllPairsOfSixteenPoints)
 {
   RoomOptions room;
   room.seed = 5;

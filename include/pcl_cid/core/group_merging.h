@@ -183,8 +183,8 @@ struct GroupMergingOptions {
  *  The K x K matrix of CID_g is that of `group_samples` points of each group, which are
  *  spread over all of it, each in one pair for every other group (*ours*; Eq. 4 takes
  *  all pairs of random points, and is farther from Eq. 3 with eight times as many). A
- *  merge replaces two rows by their mean weighted with the
- *  true group sizes (Lance-Williams), which is what computing CID_g again would give.
+ *  merge replaces two rows by their mean weighted with the true group sizes
+ *  (Lance-Williams), which is what computing CID_g again would give.
  *  Equal CID_g: the pair of lowest numbers first.
  *  \param[in] field the surface S
  *  \param[in] points the grouped points, in the frame of the surface
@@ -195,7 +195,8 @@ struct GroupMergingOptions {
  *  A pair of groups is compared exactly only when the next merge depends on it;
  *  certified lower bounds hold the others back (*ours*).
  *  \note Cost: at most K^2 / 2 x group_samples CID evaluations, for the whole tree,
- *  and O(K^2 log K). O(K^2) memory. Same result for every number of threads. */
+ *  O(K^2 log K), and O(N log group_samples) for the draw. O(K^2) memory. Same result
+ *  for every number of threads. */
 PCL_CID_EXPORT MergeTree
 mergeGroups(const DistanceField& field,
             const Points& points,

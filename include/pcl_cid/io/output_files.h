@@ -23,7 +23,7 @@ namespace pcl_cid {
  *
  *  Each is written beside its place, under a name of its own, and renamed once all of
  *  them are written and on the disk; until then, and when anything fails, nothing
- * appears and what was there before stays.
+ *  appears and what was there before stays.
  *
  *  \code
  *    pcl_cid::OutputFiles outputs({"scan.pcd"});
@@ -100,8 +100,7 @@ private:
   /** A file that commit() replaces, removes or lets appear. */
   struct Change {
     std::string file;
-    std::string
-        older; ///< where what was there is until all is done; empty: nothing was
+    std::string older; ///< what was there, until all is done; empty: nothing was
   };
 
   void
