@@ -287,14 +287,13 @@ BlockGroups::settle(std::size_t b, float floor, const Query& query)
     upper = std::min(upper, overall);
     if (best < 0 || largest < floor)
       return {};
-    State& state = states_[slotOf(b, best)];
+    const State& state = states_[slotOf(b, best)];
     if (state.decided < static_cast<std::int32_t>(seeds_.size())) {
-      std::vector<Contender>& open = contenders(b, state);
       const float least =
           PairCost{factor[static_cast<std::size_t>(best)]}.cidBelow(floor);
-      Closeness closest = fallsShort(target(b, best), least, likely_[b], open, state);
+      Closeness closest = fallsShort(b, best, least);
       if (closest.number < 0) {
-        decide(target(b, best), true, open, state);
+        decide(b, best, true);
         closest = closenessOf(target(b, best), state);
       }
       likely_[b] = closest.number;
@@ -444,11 +443,9 @@ BlockGroups::finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal)
   parallelFor(tree_.size(), 8, threads_, progress_, span, [&](auto begin, auto end) {
     for (std::size_t b = begin; b < end; ++b)
       for (int row = 0; row < tree_.block(b).count; ++row) {
-        const PointBlock& block = tree_.block(b);
-        State& state = states_[slotOf(b, row)];
-        if (state.decided < static_cast<std::int32_t>(seeds_.size()))
-          decide(target(b, row), keep_cid, contenders(b, state), state);
-        const auto i = static_cast<std::size_t>(block.index[row]);
+        decide(b, row, keep_cid);
+        const State& state = states_[slotOf(b, row)];
+        const std::size_t i = target(b, row).index;
         proposal.group[i] = state.group;
         if (keep_cid)
           proposal.cid[i] = state.cid;

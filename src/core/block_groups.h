@@ -113,6 +113,14 @@ private:
     {
       return low < other.low || (low == other.low && number < other.number);
     }
+
+    /** From which cost on the other one is better than this. */
+    float
+    limitAgainst(const Contender& other) const
+    {
+      constexpr float infinity = std::numeric_limits<float>::infinity();
+      return number < other.number ? std::nextafter(other.low, infinity) : other.low;
+    }
   };
 
   /** A point that is compared. */
@@ -181,15 +189,11 @@ private:
   void
   updateAbove(std::size_t node);
 
-  std::vector<Contender>&
-  contenders(std::size_t block, const State& state);
+  float
+  atMost(std::size_t block, const State& state) const;
 
   Closeness
-  fallsShort(const Target& point,
-             float floor,
-             std::int32_t likely,
-             std::vector<Contender>& open,
-             State& state);
+  fallsShort(std::size_t block, int row, float floor);
 
   Closeness
   closenessOf(const Target& point, const State& state) const;
@@ -225,13 +229,16 @@ private:
           bool keep_cid) const;
 
   void
-  decide(const Target& point,
-         bool keep_cid,
-         std::vector<Contender>& open,
-         State& state);
+  decide(std::size_t block, int row, bool keep_cid);
 
-  static float
-  limitFor(const Contender& first, const std::vector<Contender>& open, bool any);
+  std::vector<Contender>&
+  contenders(std::size_t block, const Target& point, State& state);
+
+  Contender
+  nearestOfFew(const Target& point, bool keep_cid, std::vector<Contender>& open) const;
+
+  Contender
+  nearestOfMany(const Target& point, float high, std::vector<Contender>& open) const;
 
   bool
   gains(std::size_t block, int row) const;

@@ -18,60 +18,62 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** More contenders than this are many. */
-constexpr std::size_t few_contenders = 16;
+/** More seeds than this are many: those of one wall, whose CIDs are about the spacing
+ * of the points, and differ by chance. */
+constexpr std::size_t few = 16;
+/** Among many seeds the farthest D_min falls slowly, and points come up again and
+ * again: so many exact distances are worth it for a smaller bound. */
+constexpr int refinements_among_many = 3;
 
 } // namespace
 
-/** The seeds that a point may belong to: the best of those that it was compared with,
- *  and the rivals since. */
-std::vector<BlockGroups::Contender>&
-BlockGroups::contenders(std::size_t b, const State& state)
+/** At least D_min of a point. */
+float
+BlockGroups::atMost(std::size_t b, const State& state) const
 {
-  thread_local std::vector<Contender> contenders;
-  contenders.clear();
   float high = state.high;
   for (const Rival& rival : rivals_[b])
     high = std::min(high, rival.high);
-  if (state.group >= 0 && state.cid <= high)
-    contenders.push_back({state.group, state.cid, true, nullptr});
-  for (Rival& rival : rivals_[b])
-    if (rival.number >= state.decided && rival.low <= high)
-      contenders.push_back({rival.number, rival.low, false, &rival});
-  return contenders;
+  return high;
 }
 
 /** Whether some seed brings D_min of a point below a floor: one is enough. Most often
  *  it is the one that did for the point of the block before.
- *  \param[in] likely the number of that seed; -1 for none
  *  \return the seed, or none; the point's upper bound then takes it into account */
 BlockGroups::Closeness
-BlockGroups::fallsShort(const Target& point,
-                        float floor,
-                        std::int32_t likely,
-                        std::vector<Contender>& open,
-                        State& state)
+BlockGroups::fallsShort(std::size_t b, int row, float floor)
 {
-  std::sort(open.begin(), open.end(), [likely](const auto& a, const auto& b) {
+  State& state = states_[slotOf(b, row)];
+  const Target point = target(b, row);
+  thread_local std::vector<Contender> open;
+  open.clear();
+  const float most = atMost(b, state);
+  for (Rival& rival : rivals_[b])
+    if (rival.number >= std::max(state.decided, state.tried) && rival.low < floor &&
+        rival.low <= most)
+      open.push_back({rival.number, rival.low, false, &rival});
+  const std::int32_t likely = likely_[b];
+  std::sort(open.begin(), open.end(), [likely](const auto& a, const auto& other) {
     return std::make_pair(a.number != likely, a) <
-           std::make_pair(b.number != likely, b);
+           std::make_pair(other.number != likely, other);
   });
-  Closeness closest;
+  const int refinements = rivals_[b].size() > few ? refinements_among_many : 0;
+  state.tried = static_cast<std::int32_t>(seeds_.size());
   for (const Contender& contender : open) {
-    if (contender.settled || contender.low >= floor || contender.number < state.tried)
-      continue;
     const PairCost cost = costOf(contender, point);
     const float below = cost.cidBelow(floor);
-    const float cid = boundPointCID(
-        field_, segmentTo(contender, point), order_, below, contender.rival->hint);
+    const float cid = boundPointCID(field_,
+                                    segmentTo(contender, point),
+                                    order_,
+                                    below,
+                                    refinements,
+                                    contender.rival->hint);
     if (cid < below) {
-      closest = {contender.number, cid};
       state.high = std::min(state.high, cost.of(cid));
-      break;
+      return {contender.number, cid};
     }
   }
-  state.tried = static_cast<std::int32_t>(seeds_.size());
-  return closest;
+  return {};
 }
 
 /** The seed that a decided point belongs to. */
@@ -82,52 +84,83 @@ BlockGroups::closenessOf(const Target& point, const State& state) const
   return {state.group, costs_.between(seed.index, point.index).cidWithin(state.cid)};
 }
 
-/** Compare a point with all seeds that it was not compared with, best first. Of a few,
- *  whoever has the smallest lower bound is compared with the second smallest, which
- *  shows that its CID is the smallest of all, or raises its bound. Of many, that would
- *  raise bounds by little, again and again: they are compared with the smallest CID so
- *  far.
+/** Compare a point with all seeds that it was not compared with.
  *  \param[in] keep_cid else the winner's CID may be left at a lower bound */
 void
-BlockGroups::decide(const Target& point,
-                    bool keep_cid,
-                    std::vector<Contender>& open,
-                    State& state)
+BlockGroups::decide(std::size_t b, int row, bool keep_cid)
 {
-  for (Contender& contender : open)
+  State& state = states_[slotOf(b, row)];
+  if (state.decided == static_cast<std::int32_t>(seeds_.size()))
+    return;
+  const Target point = target(b, row);
+  std::vector<Contender>& open = contenders(b, point, state);
+  const Contender nearest = open.size() > few ? nearestOfMany(point, state.high, open)
+                                              : nearestOfFew(point, keep_cid, open);
+  state.group = nearest.number;
+  state.cid = state.high = nearest.low;
+  state.decided = static_cast<std::int32_t>(seeds_.size());
+}
+
+/** The seeds that a point may belong to: the best of those that it was compared with,
+ *  and the rivals since. */
+std::vector<BlockGroups::Contender>&
+BlockGroups::contenders(std::size_t b, const Target& point, State& state)
+{
+  thread_local std::vector<Contender> contenders;
+  contenders.clear();
+  state.high = atMost(b, state);
+  if (state.group >= 0 && state.cid <= state.high)
+    contenders.push_back({state.group, state.cid, true, nullptr});
+  for (Rival& rival : rivals_[b])
+    if (rival.number >= state.decided && rival.low <= state.high)
+      contenders.push_back({rival.number, rival.low, false, &rival});
+  for (Contender& contender : contenders)
     if (!contender.settled)
       contender.low = std::max(contender.low, boundAtHint(contender, point));
-  const bool few = open.size() <= few_contenders;
+  return contenders;
+}
+
+/** Whoever has the smallest lower bound is compared with the second smallest, which
+ *  shows that its cost is the smallest of all, or raises its bound. */
+BlockGroups::Contender
+BlockGroups::nearestOfFew(const Target& point,
+                          bool keep_cid,
+                          std::vector<Contender>& open) const
+{
   for (;;) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
     Contender& first = open.front();
-    if (first.settled) {
-      state.group = first.number;
-      state.cid = state.high = first.low;
-      state.decided = static_cast<std::int32_t>(seeds_.size());
-      return;
-    }
-    const float limit = limitFor(first, open, few);
-    const float cid = compare(first, point, limit, keep_cid || !few);
-    first.settled = cid < limit;
-    first.low = std::max(first.low, cid);
+    const auto second = std::min_element(open.begin() + 1, open.end());
+    const bool alone = second == open.end();
+    if (first.settled || (alone && !keep_cid))
+      return first;
+    const float limit = alone ? infinity : first.limitAgainst(*second);
+    const float cost = compare(first, point, limit, keep_cid);
+    first.settled = cost < limit;
+    first.low = std::max(first.low, cost);
   }
 }
 
-/** From which CID on another contender is better than the first one.
- *  \param[in] any also those of which only a lower bound is known */
-float
-BlockGroups::limitFor(const Contender& first,
-                      const std::vector<Contender>& open,
-                      bool any)
+/** Of many seeds, that would raise bounds by little, again and again: each is compared
+ *  with the best so far, at first with what is known of the winner.
+ *  \param[in] high at least the winner's cost */
+BlockGroups::Contender
+BlockGroups::nearestOfMany(const Target& point,
+                           float high,
+                           std::vector<Contender>& open) const
 {
-  const Contender* best = nullptr;
-  for (const Contender& other : open)
-    if (&other != &first && (any || other.settled) && (!best || other < *best))
-      best = &other;
-  if (!best)
-    return infinity;
-  return first.number < best->number ? std::nextafter(best->low, infinity) : best->low;
+  std::sort(open.begin(), open.end());
+  Contender best{-1, std::nextafter(high, infinity), true, nullptr};
+  for (Contender& contender : open) {
+    if (best < contender)
+      break;
+    const float limit = contender.limitAgainst(best);
+    if (!contender.settled)
+      contender.low = compare(contender, point, limit, true);
+    if (contender.low < limit)
+      best = contender;
+  }
+  return best;
 }
 
 /** A lower bound of the cost to a contender, from one look. */
@@ -148,8 +181,6 @@ BlockGroups::compare(const Contender& contender,
                      float limit,
                      bool keep_cid) const
 {
-  if (limit == infinity && !keep_cid)
-    return 0.0f;
   const Segment segment = segmentTo(contender, point);
   const PairCost cost = costOf(contender, point);
   std::size_t& hint = contender.rival->hint;

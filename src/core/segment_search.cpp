@@ -96,9 +96,10 @@ public:
   }
 
   /** An upper bound, from looks at the samples that may raise it; \a limit when some
-   *  sample is that far from the surface. */
+   *  sample is that far from the surface.
+   *  \param[in] refinements exact distances that may be spent on a smaller bound */
   float
-  bound(float limit, std::size_t& hint)
+  bound(float limit, int refinements, std::size_t& hint)
   {
     start(limit);
     lookUp(hint);
@@ -107,20 +108,27 @@ public:
     for (const std::size_t l : {hint, std::size_t{0}, order_.last()}) {
       if (reaches(l, limit, target))
         return limit;
-      largest = std::max(largest, capOrDistance(l));
+      largest = std::max(largest, orDistance(caps_[l]));
     }
     for (const SampleOrder::Level& level : order_.levels()) {
       lookUpAbove(level, largest);
       for (const Look& look : looks_) {
         const bool reached = reaches(look.sample, limit, target);
-        if (reached || capOrDistance(look.sample) > largest)
+        if (reached || orDistance(caps_[look.sample]) > largest)
           hint = look.sample;
         if (reached)
           return limit;
-        largest = std::max(largest, capOrDistance(look.sample));
+        largest = std::max(largest, orDistance(caps_[look.sample]));
       }
     }
-    return std::sqrt(largest) * (1.0f + 4.0f * epsilon) + samples_.slack;
+    for (; refinements > 0; --refinements) {
+      const std::size_t l = caps_.find(caps_.largest());
+      if (caps_[l] < caps_.squareOf(largest_))
+        break;
+      settle(l, evaluate(l));
+    }
+    return std::sqrt(orDistance(caps_.largest())) * (1.0f + 4.0f * epsilon) +
+           samples_.slack;
   }
 
   /** The largest distance: look where it can be largest, evaluate where looking does
@@ -223,12 +231,12 @@ private:
     return reached_ >= limit;
   }
 
-  /** The square of at least d at a sample, or at one that is farther. What is added
-   *  stands for distances whose squares float cannot tell from 0. */
+  /** A cap, or the square of the largest distance so far. What is added stands for
+   *  distances whose squares float cannot tell from 0. */
   float
-  capOrDistance(std::size_t l)
+  orDistance(float cap) const
   {
-    return std::max(caps_[l], largest_ * largest_ + std::numeric_limits<float>::min());
+    return std::max(cap, largest_ * largest_ + std::numeric_limits<float>::min());
   }
 
   DistanceField::Nearest
@@ -276,9 +284,10 @@ boundPointCID(const DistanceField& field,
               const Segment& segment,
               const SampleOrder& order,
               float limit,
+              int refinements,
               std::size_t& hint)
 {
-  return SegmentSearch(field, segment, order).bound(limit, hint);
+  return SegmentSearch(field, segment, order).bound(limit, refinements, hint);
 }
 
 float

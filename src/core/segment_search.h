@@ -39,12 +39,14 @@ findCIDAtLeast(const DistanceField& field,
 
 /** \brief An upper bound of the CID of a segment, with exact distances only where they
  *  decide whether it is below a limit; \a limit when the CID is not.
+ *  \param[in] refinements exact distances that may be spent on a smaller bound
  *  \param[in,out] hint as for findCIDAtLeast() */
 float
 boundPointCID(const DistanceField& field,
               const Segment& segment,
               const SampleOrder& order,
               float limit,
+              int refinements,
               std::size_t& hint);
 
 /** \brief pointCID() with the order of the samples at hand, and a hint. */
