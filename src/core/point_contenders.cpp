@@ -53,9 +53,9 @@ BlockGroups::fallsShort(std::size_t b, int row, float floor)
         rival.low <= most)
       open.push_back({rival.number, rival.low, false, &rival});
   const std::int32_t likely = likely_[b];
-  std::sort(open.begin(), open.end(), [likely](const auto& a, const auto& other) {
-    return std::make_pair(a.number != likely, a) <
-           std::make_pair(other.number != likely, other);
+  std::sort(open.begin(), open.end(), [likely](const auto& left, const auto& right) {
+    return std::make_pair(left.number != likely, left) <
+           std::make_pair(right.number != likely, right);
   });
   const int refinements = rivals_[b].size() > few ? refinements_among_many : 0;
   state.tried = static_cast<std::int32_t>(seeds_.size());
@@ -130,9 +130,11 @@ BlockGroups::nearestOfFew(const Target& point,
   for (;;) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
     Contender& first = open.front();
+    if (first.settled)
+      return first;
     const auto second = std::min_element(open.begin() + 1, open.end());
     const bool alone = second == open.end();
-    if (first.settled || (alone && !keep_cid))
+    if (alone && !keep_cid)
       return first;
     const float limit = alone ? infinity : first.limitAgainst(*second);
     const float cost = compare(first, point, limit, keep_cid);
@@ -141,15 +143,16 @@ BlockGroups::nearestOfFew(const Target& point,
   }
 }
 
-/** Of many seeds, that would raise bounds by little, again and again: each is compared
- *  with the best so far, at first with what is known of the winner.
- *  \param[in] high at least the winner's cost */
+/** Of many seeds, the second smallest bound is hardly larger than the smallest and
+ * would raise it by little, again and again: each is compared with the best so far,
+ * once. \param[in] high at least the winner's cost */
 BlockGroups::Contender
 BlockGroups::nearestOfMany(const Target& point,
                            float high,
                            std::vector<Contender>& open) const
 {
   std::sort(open.begin(), open.end());
+  // Nobody yet, and beaten by whoever costs no more than the winner may.
   Contender best{-1, std::nextafter(high, infinity), true, nullptr};
   for (Contender& contender : open) {
     if (best < contender)

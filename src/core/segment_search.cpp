@@ -121,7 +121,7 @@ public:
         largest = std::max(largest, orDistance(caps_[look.sample]));
       }
     }
-    for (; refinements > 0; --refinements) {
+    for (; refinements > 0; --refinements) { // the largest cap alone is in the way
       const std::size_t l = caps_.find(caps_.largest());
       if (caps_[l] < caps_.squareOf(largest_))
         break;
