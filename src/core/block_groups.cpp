@@ -129,10 +129,11 @@ BlockGroups::setCandidates(const pcl::Indices& candidates)
 }
 
 void
-BlockGroups::addSeed(pcl::index_t seed, ProgressSpan span)
+BlockGroups::addSeed(pcl::index_t seed, std::size_t to_come, ProgressSpan span)
 {
   const Seed s = seedAt(seed);
   seeds_.push_back(s);
+  to_come_ = to_come;
   std::size_t subtrees = 1;
   while (2 * subtrees <= std::min(tree_.size(), most_subtrees))
     subtrees *= 2;

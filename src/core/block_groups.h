@@ -20,6 +20,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pcl_cid {
@@ -55,9 +56,11 @@ public:
   setCandidates(const pcl::Indices& candidates);
 
   /** \brief Compare a new seed with all points.
+   *  \param[in] to_come how many seeds will follow, about: what is found out now is
+   *  worth the more
    *  \param[in] span the share of the progress */
   void
-  addSeed(pcl::index_t seed, ProgressSpan span);
+  addSeed(pcl::index_t seed, std::size_t to_come, ProgressSpan span);
 
   struct Farthest {
     float value = -1.0f;     ///< D_min, times the factor of a draw
@@ -189,6 +192,9 @@ private:
   void
   updateAbove(std::size_t node);
 
+  static void
+  sortFrom(std::int32_t first, std::vector<Contender>& contenders);
+
   float
   atMost(std::size_t block, const State& state) const;
 
@@ -234,11 +240,14 @@ private:
   std::vector<Contender>&
   contenders(std::size_t block, const Target& point, State& state);
 
-  Contender
+  std::optional<Contender>
   nearestOfFew(const Target& point, bool keep_cid, std::vector<Contender>& open) const;
 
   Contender
-  nearestOfMany(const Target& point, float high, std::vector<Contender>& open) const;
+  nearestOfMany(const Target& point,
+                std::int32_t likely,
+                float high,
+                std::vector<Contender>& open) const;
 
   bool
   gains(std::size_t block, int row) const;
@@ -271,10 +280,11 @@ private:
   float slack_; ///< covers the rounding of the coordinates of any two samples
   Progress& progress_;
   std::vector<Seed> seeds_;
+  std::size_t to_come_ = 0;                ///< seeds that will follow
   std::vector<State> states_;              ///< by slot
   std::vector<std::vector<Rival>> rivals_; ///< by block
-  std::vector<std::int32_t> likely_; ///< by block: a seed that a point was close to
-  std::vector<float> upper_;         ///< by node: at least D_min of each of its points
+  std::vector<std::int32_t> likely_;       ///< by block: whom a point was close to last
+  std::vector<float> upper_; ///< by node: at least D_min of each of its points
   std::vector<std::int32_t> slot_of_point_;
   std::vector<std::uint8_t> marks_; ///< by slot: of Mark
 };

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace pcl_cid {
 namespace {
@@ -21,11 +23,23 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 /** More seeds than this are many: those of one wall, whose CIDs are about the spacing
  * of the points, and differ by chance. */
 constexpr std::size_t few = 16;
-/** Among many seeds the farthest D_min falls slowly, and points come up again and
- * again: so many exact distances are worth it for a smaller bound. */
-constexpr int refinements_among_many = 3;
+/** With more seeds than this to come, a point will come up again and again, the more
+ * often the larger its upper bound: the exact value is worth its cost. */
+constexpr std::size_t many_to_come = 100;
 
 } // namespace
+
+/** One of the seeds first, then those with the smallest bounds. */
+void
+BlockGroups::sortFrom(std::int32_t first, std::vector<Contender>& contenders)
+{
+  std::sort(contenders.begin(),
+            contenders.end(),
+            [first](const Contender& left, const Contender& right) {
+              return std::make_pair(left.number != first, left) <
+                     std::make_pair(right.number != first, right);
+            });
+}
 
 /** At least D_min of a point. */
 float
@@ -52,12 +66,9 @@ BlockGroups::fallsShort(std::size_t b, int row, float floor)
     if (rival.number >= std::max(state.decided, state.tried) && rival.low < floor &&
         rival.low <= most)
       open.push_back({rival.number, rival.low, false, &rival});
-  const std::int32_t likely = likely_[b];
-  std::sort(open.begin(), open.end(), [likely](const auto& left, const auto& right) {
-    return std::make_pair(left.number != likely, left) <
-           std::make_pair(right.number != likely, right);
-  });
-  const int refinements = rivals_[b].size() > few ? refinements_among_many : 0;
+  sortFrom(likely_[b], open);
+  const Tightness tightness =
+      to_come_ > many_to_come ? Tightness::exact : Tightness::looks;
   state.tried = static_cast<std::int32_t>(seeds_.size());
   for (const Contender& contender : open) {
     const PairCost cost = costOf(contender, point);
@@ -66,7 +77,7 @@ BlockGroups::fallsShort(std::size_t b, int row, float floor)
                                     segmentTo(contender, point),
                                     order_,
                                     below,
-                                    refinements,
+                                    tightness,
                                     contender.rival->hint);
     if (cid < below) {
       state.high = std::min(state.high, cost.of(cid));
@@ -94,9 +105,10 @@ BlockGroups::decide(std::size_t b, int row, bool keep_cid)
     return;
   const Target point = target(b, row);
   std::vector<Contender>& open = contenders(b, point, state);
-  const Contender nearest = open.size() > few ? nearestOfMany(point, state.high, open)
-                                              : nearestOfFew(point, keep_cid, open);
-  state.group = nearest.number;
+  const std::optional<Contender> found = nearestOfFew(point, keep_cid, open);
+  const Contender nearest =
+      found ? *found : nearestOfMany(point, likely_[b], state.high, open);
+  state.group = likely_[b] = nearest.number;
   state.cid = state.high = nearest.low;
   state.decided = static_cast<std::int32_t>(seeds_.size());
 }
@@ -121,13 +133,14 @@ BlockGroups::contenders(std::size_t b, const Target& point, State& state)
 }
 
 /** Whoever has the smallest lower bound is compared with the second smallest, which
- *  shows that its cost is the smallest of all, or raises its bound. */
-BlockGroups::Contender
+ *  shows that its cost is the smallest of all, or raises its bound.
+ *  \return nothing when that takes many rounds; the more seeds, the fewer are tried */
+std::optional<BlockGroups::Contender>
 BlockGroups::nearestOfFew(const Target& point,
                           bool keep_cid,
                           std::vector<Contender>& open) const
 {
-  for (;;) {
+  for (std::size_t round = open.size(); round <= few; ++round) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
     Contender& first = open.front();
     if (first.settled)
@@ -141,22 +154,26 @@ BlockGroups::nearestOfFew(const Target& point,
     first.settled = cost < limit;
     first.low = std::max(first.low, cost);
   }
+  return std::nullopt;
 }
 
 /** Of many seeds, the second smallest bound is hardly larger than the smallest and
  * would raise it by little, again and again: each is compared with the best so far,
- * once. \param[in] high at least the winner's cost */
+ * once.
+ * \param[in] likely the first one; who wins depends on its cost alone
+ * \param[in] high at least the winner's cost */
 BlockGroups::Contender
 BlockGroups::nearestOfMany(const Target& point,
+                           std::int32_t likely,
                            float high,
                            std::vector<Contender>& open) const
 {
-  std::sort(open.begin(), open.end());
+  sortFrom(likely, open);
   // Nobody yet, and beaten by whoever costs no more than the winner may.
   Contender best{-1, std::nextafter(high, infinity), true, nullptr};
   for (Contender& contender : open) {
     if (best < contender)
-      break;
+      continue;
     const float limit = contender.limitAgainst(best);
     if (!contender.settled)
       contender.low = compare(contender, point, limit, true);

@@ -51,13 +51,14 @@ public:
 
   /** "D[p, q] <- CID_p(p, q)", "D_min", "S_l <- S_l U {p*}": each point goes to the
    *  seed if that is nearer than all before it.
-   *  \param[in] planned seeds in all, for the progress */
+   *  \param[in] planned seeds in all */
   void
   addSeed(pcl::index_t seed, std::size_t planned)
   {
     planned_ = std::max(planned, proposal_.seeds.size() + 1);
-    groups_.addSeed(seed, step());
+    const ProgressSpan span = step();
     proposal_.seeds.push_back(seed);
+    groups_.addSeed(seed, planned_ - proposal_.seeds.size(), span);
     proposal_.coverage.push_back(groups_.coverage(step()));
   }
 

@@ -96,10 +96,9 @@ public:
   }
 
   /** An upper bound, from looks at the samples that may raise it; \a limit when some
-   *  sample is that far from the surface.
-   *  \param[in] refinements exact distances that may be spent on a smaller bound */
+   *  sample is that far from the surface. */
   float
-  bound(float limit, int refinements, std::size_t& hint)
+  bound(float limit, Tightness tightness, std::size_t& hint)
   {
     start(limit);
     lookUp(hint);
@@ -121,12 +120,8 @@ public:
         largest = std::max(largest, orDistance(caps_[look.sample]));
       }
     }
-    for (; refinements > 0; --refinements) { // the largest cap alone is in the way
-      const std::size_t l = caps_.find(caps_.largest());
-      if (caps_[l] < caps_.squareOf(largest_))
-        break;
-      settle(l, evaluate(l));
-    }
+    if (tightness == Tightness::exact)
+      return largestOfLooks();
     return std::sqrt(orDistance(caps_.largest())) * (1.0f + 4.0f * epsilon) +
            samples_.slack;
   }
@@ -160,6 +155,20 @@ public:
   }
 
 private:
+  /** The largest distance, when looking has done what it can: evaluate the sample that
+   *  may be the farthest, until none can be farther than the farthest so far. */
+  float
+  largestOfLooks()
+  {
+    for (;;) {
+      const float highest = caps_.largest();
+      if (highest < caps_.squareOf(largest_))
+        return largest_;
+      const std::size_t l = caps_.find(highest);
+      settle(l, evaluate(l));
+    }
+  }
+
   /** \param[in] aim caps that are larger would be of no use, metres */
   void
   start(float aim)
@@ -284,10 +293,10 @@ boundPointCID(const DistanceField& field,
               const Segment& segment,
               const SampleOrder& order,
               float limit,
-              int refinements,
+              Tightness tightness,
               std::size_t& hint)
 {
-  return SegmentSearch(field, segment, order).bound(limit, refinements, hint);
+  return SegmentSearch(field, segment, order).bound(limit, tightness, hint);
 }
 
 float

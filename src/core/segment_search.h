@@ -37,16 +37,21 @@ findCIDAtLeast(const DistanceField& field,
                float limit,
                std::size_t& hint);
 
-/** \brief An upper bound of the CID of a segment, with exact distances only where they
- *  decide whether it is below a limit; \a limit when the CID is not.
- *  \param[in] refinements exact distances that may be spent on a smaller bound
+/** \brief How small an upper bound shall be. */
+enum class Tightness {
+  looks, ///< exact distances only where they decide whether it is below a limit
+  exact, ///< the CID itself
+};
+
+/** \brief An upper bound of the CID of a segment; \a limit when the CID is not below
+ *  that.
  *  \param[in,out] hint as for findCIDAtLeast() */
 float
 boundPointCID(const DistanceField& field,
               const Segment& segment,
               const SampleOrder& order,
               float limit,
-              int refinements,
+              Tightness tightness,
               std::size_t& hint);
 
 /** \brief pointCID() with the order of the samples at hand, and a hint. */

@@ -140,6 +140,20 @@ TEST(SeedProposal, EqualsAllPairsToTheBitOnLargerClouds)
   }
 }
 
+TEST(SeedProposal, EqualsAllPairsToTheBitWithManySeeds)
+{
+  for (const NamedPoints& cloud : {NamedPoints{"two_boxes", twoBoxes(1500, 41)},
+                                   NamedPoints{"cube", randomCube(1000, 42)}}) {
+    const DistanceField field(cloud.points);
+    SeedProposalOptions options = optionsFor(200, 30);
+    const SeedProposal expected = proposeByAllPairs(field, cloud.points, 0, options);
+    expectSameProposal(proposeSeeds(field, cloud.points, 0, options), expected);
+    options.keep_cid = false;
+    EXPECT_EQ(proposeSeeds(field, cloud.points, 0, options).group, expected.group)
+        << cloud.name;
+  }
+}
+
 TEST(SeedProposal, CorrectiveSeedsJoinAsIfTheyHadBeenThere)
 {
   const Points points = twoBoxes(800, 40);

@@ -49,21 +49,15 @@ expectEquation2(const DistanceField& field, const Segment& segment, int samples)
         EXPECT_LE(*found, cid);
       }
       EXPECT_LE(hint, order.last());
-      float bound = std::numeric_limits<float>::infinity();
-      for (const int refinements : {0, 3, samples}) {
-        hint = first;
-        const float refined =
-            boundPointCID(field, segment, order, limit, refinements, hint);
-        EXPECT_GE(refined, std::min(cid, limit));
-        EXPECT_LE(refined, 1.001f * bound); // but for rounding near 0
-        EXPECT_LE(hint, order.last());
-        bound = refined;
-      }
-      if (cid < limit) {
-        const float coordinates = segment.p.norm() + segment.q.norm();
-        const float zero = std::sqrt(std::numeric_limits<float>::min());
-        EXPECT_LE(bound, cid + 1e-5f * (cid + coordinates) + 4.0f * zero);
-      }
+      hint = first;
+      const float bound =
+          boundPointCID(field, segment, order, limit, Tightness::looks, hint);
+      EXPECT_GE(bound, std::min(cid, limit));
+      EXPECT_LE(hint, order.last());
+      hint = first;
+      EXPECT_EQ(boundPointCID(field, segment, order, limit, Tightness::exact, hint),
+                std::min(cid, limit));
+      EXPECT_LE(hint, order.last());
       hint = first;
       const float value = pointCID(field, segment, order, limit, hint);
       if (cid < limit) {
