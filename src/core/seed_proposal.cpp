@@ -56,9 +56,8 @@ public:
   addSeed(pcl::index_t seed, std::size_t planned)
   {
     planned_ = std::max(planned, proposal_.seeds.size() + 1);
-    const ProgressSpan span = step();
+    groups_.addSeed(seed, planned_ - proposal_.seeds.size() - 1, step());
     proposal_.seeds.push_back(seed);
-    groups_.addSeed(seed, planned_ - proposal_.seeds.size(), span);
     proposal_.coverage.push_back(groups_.coverage(step()));
   }
 
