@@ -52,12 +52,18 @@ def main():
     parser.add_argument("--camera", action="store_true", help="as a depth sensor saw it")
     parser.add_argument("--cut-above", type=float, default=np.inf,
                         help="height above which nothing is shown (removes a ceiling)")
+    parser.add_argument("--within", type=float, default=np.inf,
+                        help="distance from the origin beyond which nothing is shown")
     parser.add_argument("--elevation", type=float, default=55)
     parser.add_argument("--azimuth", type=float, default=-60)
     parser.add_argument("--width", type=float, default=5.2, help="of a panel, inches")
     parser.add_argument("--height", type=float, default=4.2)
     parser.add_argument("--points", type=int, default=400000)
     args = parser.parse_args()
+
+    def is_shown(places):
+        return ((np.linalg.norm(places, axis=1) <= args.within)
+                & (places[:, 2] <= args.cut_above))
 
     def project(places):
         if args.camera:
@@ -69,7 +75,7 @@ def main():
     for axes, (title, groups, seeds) in zip(panels[0], args.panel):
         cloud = read_ply_vertices(groups)
         places = np.stack([cloud[axis] for axis in "xyz"], axis=1).astype(float)
-        shown = np.flatnonzero(np.isfinite(places).all(axis=1) & (places[:, 2] <= args.cut_above))
+        shown = np.flatnonzero(np.isfinite(places).all(axis=1) & is_shown(places))
         shown = shown[::max(1, len(shown) // args.points)]
         colours = palette(int(cloud["label"].max()) + 1)
         right, up, off = project(places[shown])
@@ -77,7 +83,7 @@ def main():
         axes.scatter(right[order], up[order], c=colours[cloud["label"][shown][order]], s=1.5,
                      linewidths=0)
         chosen = read_seeds(seeds)
-        right, up, _ = project(chosen[chosen[:, 2] <= args.cut_above])
+        right, up, _ = project(chosen[is_shown(chosen)])
         axes.scatter(right, up, s=14, color="white", edgecolor="black", linewidths=0.9)
         axes.set_title(title, fontsize="medium")
         axes.set_aspect("equal")

@@ -9,6 +9,7 @@
 
 #include "clouds.h"
 #include "hulls.h"
+#include "lidar_scan.h"
 #include "oracle.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
@@ -330,6 +331,102 @@ TEST(CIDConvexAbstraction, RefusesBadValues)
   abstraction.reconstruct(parts);
   EXPECT_THROW(abstraction.reconstruct({0, 0, 0}, parts), CIDException);
   EXPECT_TRUE(parts.empty());
+}
+
+/** The share of some points that the part with most of them has. */
+float
+shareInOnePart(const pcl::Indices& points, const std::vector<pcl::PointIndices>& parts)
+{
+  std::size_t most = 0;
+  for (const pcl::PointIndices& part : parts) {
+    pcl::Indices common;
+    std::set_intersection(points.begin(),
+                          points.end(),
+                          part.indices.begin(),
+                          part.indices.end(),
+                          std::back_inserter(common));
+    most = std::max(most, common.size());
+  }
+  return static_cast<float>(most) / static_cast<float>(points.size());
+}
+
+/// A floor around a scanner is one part, at UTM-like offsets, too; without the filling
+/// it is a ring.
+TEST(CIDConvexAbstraction, TheFloorAroundAScannerIsOnePart)
+{
+  LidarOptions options;
+  options.blind = 55.0f;
+  const Eigen::Vector3f offset(4096.0f, -2048.0f, 512.0f);
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud = toCloud(lidarScan(options));
+  pcl::Indices floor;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if ((*cloud)[i].z < -1.25f && (*cloud)[i].getVector3fMap().head<2>().norm() < 2.4f)
+      floor.push_back(static_cast<pcl::index_t>(i));
+    (*cloud)[i].getVector3fMap() += offset;
+  }
+  cloud->sensor_origin_.head<3>() = offset;
+  CIDConvexAbstraction<pcl::PointXYZ> abstraction;
+  abstraction.setInputCloud(cloud);
+  abstraction.setDensityWeight(DensityWeight::off); // heights are metres
+  abstraction.setMergeThreshold(0.4);
+  std::vector<pcl::PointIndices> parts;
+  abstraction.segment(parts);
+  ASSERT_TRUE(abstraction.getBlindSpot());
+  EXPECT_LE((abstraction.getBlindSpot()->centre - offset.cast<double>() -
+             Eigen::Vector3d(0, 0, -1.3))
+                .norm(),
+            0.02);
+  EXPECT_GE(shareInOnePart(floor, parts), 0.9f);
+
+  abstraction.setFillBlindSpot(false);
+  abstraction.segment(parts);
+  EXPECT_FALSE(abstraction.getBlindSpot());
+  EXPECT_LE(shareInOnePart(floor, parts), 0.7f);
+
+  cloud->sensor_orientation_.coeffs().setConstant(
+      std::numeric_limits<float>::quiet_NaN());
+  abstraction.setFillBlindSpot(true);
+  abstraction.segment(parts);
+  EXPECT_FALSE(abstraction.getBlindSpot()) << "nobody knows where down is";
+}
+
+/// The lidar scan of PCL's data stands on its floor: floor, ceiling and walls are parts
+/// of their own among 30, with the defaults.
+TEST(CIDConvexAbstraction, TheSidesOfALidarScanArePartsOfTheirOwn)
+{
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud = loadSharedScan("room_scan1.pcd");
+  if (!cloud)
+    GTEST_SKIP() << "../shared/data/room_scan1.pcd is absent";
+  struct Side {
+    const char* name;
+    Eigen::Vector4f plane; // n x + d = 0
+  };
+  const Side sides[] = {{"ceiling", {-0.01f, 0.01f, 1.0f, -1.66f}},
+                        {"floor", {-0.02f, 0.0f, 1.0f, 1.27f}},
+                        {"wall y = -1.46", {0.0f, 1.0f, 0.02f, 1.46f}},
+                        {"wall y = 3.07", {0.01f, 1.0f, -0.03f, -3.07f}},
+                        {"wall x = -2.6", {1.0f, -0.026f, 0.024f, 2.608f}}};
+  CIDConvexAbstraction<pcl::PointXYZ> abstraction;
+  abstraction.setInputCloud(cloud);
+  abstraction.setNumberOfParts(30);
+  for (const std::uint64_t start : {0u, 1u}) {
+    abstraction.setRandomSeed(start);
+    std::vector<pcl::PointIndices> parts;
+    abstraction.segment(parts);
+    std::size_t tiny = 0;
+    for (const pcl::PointIndices& part : parts)
+      tiny += part.indices.size() < 50;
+    EXPECT_LE(tiny, 5u);
+    for (const Side& side : sides) {
+      pcl::Indices on;
+      for (std::size_t i = 0; i < cloud->size(); ++i) {
+        const Eigen::Vector3f p = (*cloud)[i].getVector3fMap();
+        if (std::abs(side.plane.head<3>().dot(p) + side.plane[3]) < 0.03f)
+          on.push_back(static_cast<pcl::index_t>(i));
+      }
+      EXPECT_GE(shareInOnePart(on, parts), 0.8f) << side.name << ", start " << start;
+    }
+  }
 }
 
 } // namespace

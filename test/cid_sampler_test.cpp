@@ -425,6 +425,7 @@ TEST(CIDSampler, ExtendRefusesChangedSettings)
   const Change changes[] = {[](Sampler& s) { s.setDensityWeight(DensityWeight::off); },
                             [](Sampler& s) { s.setDensityPower(2.0f); },
                             [](Sampler& s) { s.setIsolatedNeighbors(0); },
+                            [](Sampler& s) { s.setFillBlindSpot(false); },
                             [](Sampler& s) { s.setSeedingRule(SeedingRule::farthest); },
                             [](Sampler& s) { s.setColorWeight(0.0f); }};
   for (const Change change : changes) {

@@ -99,6 +99,7 @@ makeParts(const AbstractSettings& settings,
   result.dropped_points = abstraction.getNumberOfDroppedPoints();
   report.parameters = parametersOf(settings, abstraction);
   describeDensity(abstraction.getDensityDecision(), console, report);
+  describeBlindSpot(abstraction.getBlindSpot(), points.offset, console, report);
   describeProposal(proposal, points, report);
   measureTightness(settings, points, abstraction, console, report, result);
   translate(points.offset, result.parts);

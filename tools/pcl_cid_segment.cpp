@@ -114,6 +114,7 @@ propagateLabels(const SegmentSettings& settings,
   console.end(std::to_string(proposal.seeds.size()) + " seeds", "segment", report);
   report.parameters = parametersOf(settings, propagation);
   describeDensity(propagation.getDensityDecision(), console, report);
+  describeBlindSpot(propagation.getBlindSpot(), points.offset, console, report);
   describeProposal(proposal, points, report);
   for (std::size_t k = 0; k < proposal.seeds.size(); ++k)
     report.seed_labels.push_back(

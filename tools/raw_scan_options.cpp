@@ -22,6 +22,8 @@ namespace {
 /** In the order of DensityWeight. */
 const std::vector<std::string> density_words{"auto", "off", "on"};
 
+const std::vector<std::string> blind_spot_words{"auto", "off"};
+
 /** In the order of SeedingRule. */
 const std::vector<std::string> seeding_words{"farthest", "soft"};
 
@@ -63,12 +65,24 @@ declareRawScanOptions(RawScanOptions& options, CommandLine& command_line)
                       options.color,
                       "metres that a unit of difference in CIE L*a*b* adds to a CID; "
                       "INPUT needs the field rgb or rgba");
+  command_line.choice("blind-spot",
+                      "WHEN",
+                      blind_spot_words,
+                      options.blind_spot,
+                      "the floor that a scanner hides from itself is a part of the "
+                      "surface: auto (where INPUT has a hole under its viewpoint) or "
+                      "off");
 }
 
 std::vector<std::string>
 rawScanOptionNames()
 {
-  return {"density", "density-power", "isolated-neighbors", "seeding", "color"};
+  return {"density",
+          "density-power",
+          "isolated-neighbors",
+          "seeding",
+          "color",
+          "blind-spot"};
 }
 
 void
@@ -81,6 +95,7 @@ configureForRawScan(const RawScanOptions& options,
   parameters.setIsolatedNeighbors(options.isolated_neighbors);
   parameters.setSeedingRule(static_cast<SeedingRule>(options.seeding));
   parameters.setColorWeight(options.color);
+  parameters.setFillBlindSpot(options.blind_spot == 0);
   if (options.color > 0.0f)
     parameters.setColors(
         std::make_shared<const std::vector<ColorRGB>>(colorsOf(cloud)));
@@ -93,7 +108,8 @@ parametersOf(const RawScanOptions& options)
           {"density_power", double{options.density_power}},
           {"isolated_neighbors", std::int64_t{options.isolated_neighbors}},
           {"seeding", seeding_words[options.seeding]},
-          {"color", double{options.color}}};
+          {"color", double{options.color}},
+          {"blind_spot", blind_spot_words[options.blind_spot]}};
 }
 
 void
@@ -106,6 +122,22 @@ describeDensity(const DensityDecision& decision, const Console& console, Report&
   console.value("Density weight", text);
   if (decision.isolated_points > 0)
     console.value("Isolated points", std::to_string(decision.isolated_points));
+}
+
+void
+describeBlindSpot(const std::optional<FilledBlindSpot>& spot,
+                  const Eigen::Vector3d& offset,
+                  const Console& console,
+                  Report& report)
+{
+  report.blind_spot = spot;
+  if (!spot)
+    return;
+  report.blind_spot->centre += offset;
+  console.value("Blind spot",
+                "floor within " + shortNumber(spot->radius) +
+                    " metres under the sensor, filled with " +
+                    std::to_string(spot->points) + " points of the surface");
 }
 
 } // namespace pcl_cid::tools

@@ -17,6 +17,7 @@
 #include <pcl_cid/io/report.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct RawScanOptions {
   int isolated_neighbors = RawScanSettings().isolated_neighbors;
   std::size_t seeding = 0; ///< as in SeedingRule
   float color = RawScanSettings().color_weight;
+  std::size_t blind_spot = 0; ///< 0: filled
 };
 
 /** \brief Declare the options. */
@@ -57,5 +59,13 @@ void
 describeDensity(const DensityDecision& decision,
                 const Console& console,
                 Report& report);
+
+/** \brief Tell the user and the report about a blind spot, if there is one.
+ *  \param[in] offset of the points to the frame of the file */
+void
+describeBlindSpot(const std::optional<FilledBlindSpot>& spot,
+                  const Eigen::Vector3d& offset,
+                  const Console& console,
+                  Report& report);
 
 } // namespace pcl_cid::tools

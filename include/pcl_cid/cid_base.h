@@ -13,6 +13,7 @@
 #include <pcl_cid/core/preparation.h>
 #include <pcl_cid/exceptions.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,13 @@ public:
     return density_decision_;
   }
 
+  /** \brief The blind spot that the last verb filled, if any. */
+  const std::optional<FilledBlindSpot>&
+  getBlindSpot() const
+  {
+    return blind_spot_;
+  }
+
 protected:
   using Base::deinitCompute;
   using Base::indices_;
@@ -102,7 +110,14 @@ private:
   std::vector<ColorRGB>
   gatherColors(const PointSet& points) const;
 
+  /** \brief Where the input was taken from.
+   *  \param[in] origin what its points are relative to
+   *  \return nothing when the cloud does not say it in finite numbers */
+  std::optional<SensorPose>
+  sensorPose(const Eigen::Vector3d& origin) const;
+
   PointCloudConstPtr search_surface_;
+  std::optional<FilledBlindSpot> blind_spot_;
   DensityDecision density_decision_;
 };
 

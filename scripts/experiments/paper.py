@@ -11,7 +11,8 @@
 SUBSAMPLE = 20000
 
 # Options for raw scans that the programs have beyond the paper, as the paper is.
-RAW_SCANS = {"density": "off", "isolated-neighbors": 0, "seeding": "farthest", "color": 0}
+RAW_SCANS = {"density": "off", "isolated-neighbors": 0, "seeding": "farthest", "color": 0,
+             "blind-spot": "off"}
 
 # By class: AP25, AP50, AP75 of CID; AP50 of SGPN and of PointGroup, None where it has none.
 S3DIS = {

@@ -18,7 +18,7 @@ ALL_POINTS = 0
 # Metres for each unit of Lab.
 COLOUR_WEIGHT = 0.001
 # What each setting changes; options that it does not name are the paper's.
-DEFAULTS = {"density": DEFAULT, "isolated-neighbors": DEFAULT}
+DEFAULTS = {"density": DEFAULT, "isolated-neighbors": DEFAULT, "blind-spot": DEFAULT}
 SETTINGS = {
     "paper": {},
     "density on": {"density": "on"},

@@ -23,7 +23,8 @@ RawScanSettings::operator==(const RawScanSettings& other) const
                     s.density_power,
                     s.isolated_neighbors,
                     s.seeding_rule,
-                    s.color_weight);
+                    s.color_weight,
+                    s.fill_blind_spot);
   };
   return all(*this) == all(other);
 }

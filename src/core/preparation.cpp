@@ -129,6 +129,24 @@ colorsInMetres(const WorkingSet& working,
   return in_metres;
 }
 
+/** The floor that the sensor hides is a part of the surface. */
+void
+fillBlindSpot(const CIDParameters& parameters,
+              const ExecutionOptions& execution,
+              RawScan& scan,
+              Preparation& ready)
+{
+  if (!parameters.getFillBlindSpot() || !scan.sensor || !scan.surface.given.empty())
+    return;
+  const PointSet& points = scan.points;
+  std::optional<BlindSpot> spot = findBlindSpot(points.points, *scan.sensor, execution);
+  if (!spot)
+    return;
+  ready.blind_spot = {
+      spot->centre.cast<double>() + points.origin, spot->radius, spot->filling.size()};
+  scan.surface.filling = std::move(spot->filling);
+}
+
 /** Spacing, isolated points, colours: what the settings need of them. */
 void
 lookAtScan(const std::vector<ColorRGB>& colors,
@@ -216,16 +234,15 @@ warnIfShort(const SeedProposal& proposal,
 } // namespace
 
 Preparation
-prepare(PointSet points,
-        const Points& surface,
-        const std::vector<ColorRGB>& colors,
+prepare(RawScan scan,
         const pcl::Indices& given_seeds,
         const CIDParameters& parameters,
         const ExecutionOptions& execution)
 {
+  PointSet& points = scan.points;
   requirePoints(points.points);
   requireModerate(points.points);
-  requireModerate(surface);
+  requireModerate(scan.surface.given);
   RandomGenerator generator(parameters.getRandomSeed());
   const pcl::Indices candidates = candidatePositions(points, parameters);
   pcl::Indices seeds;
@@ -239,9 +256,10 @@ prepare(PointSet points,
   options.memory_budget = parameters.getMemoryBudget();
   options.execution = execution;
   Preparation ready;
+  fillBlindSpot(parameters, execution, scan, ready);
   ready.working =
       std::make_unique<WorkingSet>(std::move(points),
-                                   surface,
+                                   scan.surface,
                                    options,
                                    static_cast<std::size_t>(parameters.getSubsample()),
                                    seeds,
@@ -254,7 +272,7 @@ prepare(PointSet points,
   if (!candidates.empty() && ready.candidates.empty())
     ready.candidates = ready.seeds; // none was drawn: the start stands alone
 
-  lookAtScan(colors, parameters.getRawScanSettings(), execution, ready);
+  lookAtScan(scan.colors, parameters.getRawScanSettings(), execution, ready);
   passOverIsolated(
       given_seeds.empty() && !parameters.getStartIndex(), generator, ready);
   ready.soft_seed = generator();

@@ -47,7 +47,7 @@ drawPositions(std::size_t count,
 } // namespace
 
 WorkingSet::WorkingSet(PointSet points,
-                       const Points& surface,
+                       const SurfacePoints& surface,
                        const DistanceField::Options& options,
                        std::size_t subsample,
                        const pcl::Indices& always,
@@ -60,10 +60,29 @@ WorkingSet::WorkingSet(PointSet points,
     for (const pcl::index_t position : position_)
       drawn_.push_back(all_.points[static_cast<std::size_t>(position)]);
   }
-  field_ = std::make_unique<DistanceField>(surface.empty() ? this->points() : surface,
-                                           options);
+  makeField(surface, options);
   if (!position_.empty())
-    findFollowed(surface.empty(), options.execution);
+    findFollowed(surface.given.empty() && surface.filling.empty(), options.execution);
+}
+
+void
+WorkingSet::makeField(const SurfacePoints& surface,
+                      const DistanceField::Options& options)
+{
+  const auto make = [&](const Points& s) {
+    field_ = std::make_unique<DistanceField>(s, options);
+  };
+  if (!surface.given.empty()) {
+    make(surface.given);
+  }
+  else if (surface.filling.empty()) {
+    make(points());
+  }
+  else {
+    Points filled = points();
+    filled.insert(filled.end(), surface.filling.begin(), surface.filling.end());
+    make(filled);
+  }
 }
 
 void

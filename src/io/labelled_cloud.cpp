@@ -263,6 +263,9 @@ pointsOf(const LabelledCloud& cloud)
   result.points->width = cloud.fields.width;
   result.points->height = cloud.fields.height;
   result.points->is_dense = result.finite == cloud.size();
+  result.points->sensor_origin_.head<3>() =
+      (cloud.sensor_origin.head<3>().cast<double>() - result.offset).cast<float>();
+  result.points->sensor_orientation_ = cloud.sensor_orientation;
   return result;
 }
 

@@ -52,6 +52,14 @@ densityOf(const DensityDecision& density)
 }
 
 Json
+blindSpotOf(const FilledBlindSpot& spot)
+{
+  return {{"centre", {spot.centre.x(), spot.centre.y(), spot.centre.z()}},
+          {"radius", spot.radius},
+          {"points", spot.points}};
+}
+
+Json
 seedsOf(const Report& report)
 {
   Json seeds = Json::array();
@@ -206,6 +214,8 @@ toJson(const Report& report)
                     {"grouped", report.points_grouped}};
   if (report.density)
     json["density"] = densityOf(*report.density);
+  if (report.blind_spot)
+    json["blind_spot"] = blindSpotOf(*report.blind_spot);
   json["seeds"] = seedsOf(report);
   if (report.score)
     json["score"] = scoreOf(*report.score);

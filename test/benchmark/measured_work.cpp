@@ -70,6 +70,7 @@ configureAsPaper(const Work& work, CIDParameters& parameters)
   configure(work, parameters);
   parameters.setDensityWeight(DensityWeight::off);
   parameters.setIsolatedNeighbors(0);
+  parameters.setFillBlindSpot(false);
 }
 
 /** Algorithm 1 begun: what comes before the seeds and what comes after them. */
@@ -79,7 +80,7 @@ public:
   {
     configureAsPaper(work, parameters_);
     execution_.threads = work.threads;
-    ready_ = prepare(finitePoints(cloud), {}, {}, {}, parameters_, execution_);
+    ready_ = prepare({finitePoints(cloud), {}, {}, {}}, {}, parameters_, execution_);
   }
 
   SeedProposal

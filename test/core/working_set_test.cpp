@@ -117,7 +117,7 @@ TEST(WorkingSet, ASurfaceOfItsOwnIsMeasuredAgainst)
   const PointSet set = sparseSet(80);
   RandomGenerator generator(0);
   const Points surface = randomCube(33, 62);
-  const WorkingSet working(set, surface, {}, 20, {}, generator);
+  const WorkingSet working(set, {surface, {}}, {}, 20, {}, generator);
   EXPECT_EQ(working.field().size(), 33u);
   EXPECT_EQ(working.points().size(), 20u);
 }

@@ -77,6 +77,17 @@ TEST(ReportTest, HoldsWhatWasDecidedAboutTheDensity)
   EXPECT_EQ(json["isolated_points"], 17);
 }
 
+TEST(ReportTest, HoldsTheBlindSpot)
+{
+  Report report;
+  EXPECT_FALSE(nlohmann::json::parse(toJson(report)).contains("blind_spot"));
+  report.blind_spot = FilledBlindSpot{{1.0, 2.0, -3.0}, 0.5f, 17};
+  const nlohmann::json json = nlohmann::json::parse(toJson(report))["blind_spot"];
+  EXPECT_EQ(json["centre"], (std::vector<double>{1.0, 2.0, -3.0}));
+  EXPECT_EQ(json["radius"], 0.5);
+  EXPECT_EQ(json["points"], 17);
+}
+
 TEST(ReportTest, HoldsTheFiguresOfHulls)
 {
   ConvexPart part;

@@ -7,9 +7,12 @@
  * The options for raw scans: what they change, what the report says, what is refused.
  */
 
+#include "lidar_scan.h"
 #include "tool_process.h"
 
 #include <pcl_cid/cid_label_propagation.h>
+
+#include <array>
 
 #include <nlohmann/json.hpp>
 
@@ -113,6 +116,37 @@ TEST_F(RawScanOptions, AreTakenByBothTools)
             true);
 }
 
+/// The viewpoint of a file says where the sensor was, in doubles far from the origin,
+/// too: a scan at UTM coordinates has the same blind spot in its own frame.
+TEST_F(RawScanOptions, FillTheBlindSpotUnderTheViewpointOfAFile)
+{
+  const Eigen::Vector3d utm(500000.0, 4000000.0, 100.0);
+  std::array<std::vector<double>, 3> columns;
+  for (const Eigen::Vector3f& p : lidarScan({}))
+    for (int axis = 0; axis < 3; ++axis)
+      columns[static_cast<std::size_t>(axis)].push_back(double{p[axis]} + utm[axis]);
+  LabelledCloud scan;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    appendField<double>(std::string(1, "xyz"[axis]), columns[axis], scan.fields);
+  scan.sensor_origin.head<3>() = utm.cast<float>();
+  saveCloud(scan_, scan, CloudFormat::pcd_binary);
+  const nlohmann::json filled = reportOf({});
+  EXPECT_EQ(filled["parameters"]["blind_spot"], "auto");
+  const nlohmann::json& spot = filled["blind_spot"];
+  EXPECT_NEAR(spot["centre"][0], utm.x(), 0.02);
+  EXPECT_NEAR(spot["centre"][1], utm.y(), 0.02);
+  EXPECT_NEAR(spot["centre"][2], utm.z() - 1.3, 0.02);
+  EXPECT_NEAR(spot["radius"], 1.03, 0.05);
+  EXPECT_GT(spot["points"], 100);
+
+  const nlohmann::json unfilled = reportOf({"--blind-spot", "off"});
+  EXPECT_EQ(unfilled["parameters"]["blind_spot"], "off");
+  EXPECT_FALSE(unfilled.contains("blind_spot"));
+  const ToolRun said = run("pcl_cid_abstract", {scan_, file("o.obj")});
+  EXPECT_NE(said.out.find("Blind spot: floor within 1."), std::string::npos)
+      << said.out << said.err;
+}
+
 TEST_F(RawScanOptions, NeedColors)
 {
   LabelledCloud scan;
@@ -132,6 +166,7 @@ TEST_F(RawScanOptions, AreRefusedOutOfTheirRange)
     expectRefused(tool, {"--isolated-neighbors", "9"}, 2, "0 to 8");
     expectRefused(tool, {"--seeding", "near"}, 2, "farthest or soft");
     expectRefused(tool, {"--color", "-1"}, 2, "0 or more");
+    expectRefused(tool, {"--blind-spot", "on"}, 2, "auto or off");
   }
 }
 

@@ -26,14 +26,15 @@
 
 namespace pcl_cid {
 
-/** \brief The settings for raw scans (*ours*): what a pair of points costs, and which
- *  points become seeds. */
+/** \brief The settings for raw scans (*ours*): what a pair of points costs, which
+ *  points become seeds, and what belongs to the surface unseen. */
 struct PCL_CID_EXPORT RawScanSettings {
   DensityWeight density_weight = DensityWeight::automatic;
   float density_power = 1.0f;
   int isolated_neighbors = 4;
   SeedingRule seeding_rule = SeedingRule::farthest;
   float color_weight = 0.0f;
+  bool fill_blind_spot = true;
 
   bool
   operator==(const RawScanSettings& other) const;
@@ -217,6 +218,22 @@ public:
   getColors() const
   {
     return colors_;
+  }
+
+  /** \brief Whether the floor that a scanner hides from itself is a part of the surface
+   *  (see findBlindSpot()): a disc under the sensor's origin of the input cloud
+   *  (`sensor_origin_`, `sensor_orientation_`), where there is such a hole. Points of
+   * it belong to no group. Default true; of no effect with a search surface. */
+  void
+  setFillBlindSpot(bool fill_blind_spot)
+  {
+    raw_scan_.fill_blind_spot = fill_blind_spot;
+  }
+
+  bool
+  getFillBlindSpot() const
+  {
+    return raw_scan_.fill_blind_spot;
   }
 
   const RawScanSettings&

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/blind_spot.h>
 #include <pcl_cid/core/cid_parameters.h>
 #include <pcl_cid/core/pair_cost.h>
 #include <pcl_cid/core/working_set.h>
@@ -17,9 +18,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pcl_cid {
+
+/** \brief A scan as it comes in. */
+struct RawScan {
+  /** Finite points that are grouped, `source` ascending. */
+  PointSet points;
+  SurfacePoints surface;
+  /** Of the points; empty where the color weight is 0. */
+  std::vector<ColorRGB> colors;
+  /** Relative to the same origin; none: there is no blind spot to look for. */
+  std::optional<SensorPose> sensor;
+};
 
 /** \brief What was found out about the density of a scan, and decided. */
 struct DensityDecision {
@@ -29,6 +42,16 @@ struct DensityDecision {
   float spread = 0.0f;
   /** Points that were worked on, and were isolated. */
   std::size_t isolated_points = 0;
+};
+
+/** \brief A blind spot that is a part of the surface now (see findBlindSpot()). */
+struct FilledBlindSpot {
+  /** In the frame of the input cloud. */
+  Eigen::Vector3d centre;
+  /** Metres. */
+  float radius;
+  /** Points that were added to the surface. */
+  std::size_t points;
 };
 
 /** \brief What a verb works on, and the seeds that it begins with. */
@@ -43,6 +66,7 @@ struct Preparation {
   std::uint64_t soft_seed = 0;
   PairCosts costs;
   DensityDecision density;
+  std::optional<FilledBlindSpot> blind_spot;
 
   /** \brief The costs, or null where they are the CIDs. */
   const PairCosts*
@@ -53,20 +77,15 @@ struct Preparation {
 };
 
 /** \brief Draw the working set, with the start or the given seeds in it, and look at it
- *  as a scan: spacing, isolated points, colours.
- *  \param[in] points finite points that are grouped, `source` ascending
- *  \param[in] surface points of S about the same origin; empty for the points
- *  themselves
- *  \param[in] colors of the points; empty where the color weight is 0
+ *  as a scan: blind spot, spacing, isolated points, colours.
+ *  \param[in] scan its points are taken over
  *  \param[in] given_seeds indices of the input cloud; empty for a start, given or drawn
  *  \param[in] parameters see CIDParameters
  *  \param[in] execution threads and progress
  *  \throws CIDException when there is no finite point, when a seed, the start or a
  *  candidate is not one of them, or when coordinates are too large to square */
 PCL_CID_EXPORT Preparation
-prepare(PointSet points,
-        const Points& surface,
-        const std::vector<ColorRGB>& colors,
+prepare(RawScan scan,
         const pcl::Indices& given_seeds,
         const CIDParameters& parameters,
         const ExecutionOptions& execution);

@@ -20,6 +20,14 @@
 
 namespace pcl_cid {
 
+/** \brief Points of the surface S that are not grouped. */
+struct SurfacePoints {
+  /** S, about the origin of the points that are grouped; empty: these are S. */
+  Points given;
+  /** Points that are a part of S then, too. */
+  Points filling;
+};
+
 /** \brief The points that are grouped, or a random draw of them, with the surface that
  *  they are measured against.
  *
@@ -31,13 +39,13 @@ class PCL_CID_EXPORT WorkingSet {
 public:
   /** \brief Draw the set and build the field of its surface.
    *  \param[in] points the points to be grouped, `source` ascending; at least 1
-   *  \param[in] surface points of S about the same origin; empty for the points drawn
+   *  \param[in] surface S, unless it is the points drawn
    *  \param[in] options of the field; its threads and progress serve all of this
    *  \param[in] subsample points to draw; 0, or no fewer than there are, means all
    *  \param[in] always positions that must be drawn (a start, given seeds)
    *  \param[in,out] generator of the draw */
   WorkingSet(PointSet points,
-             const Points& surface,
+             const SurfacePoints& surface,
              const DistanceField::Options& options,
              std::size_t subsample,
              const pcl::Indices& always,
@@ -77,6 +85,9 @@ public:
   carryOn(const SeedProposal& proposal, std::size_t cloud_size) const;
 
 private:
+  void
+  makeField(const SurfacePoints& surface, const DistanceField::Options& options);
+
   void
   findFollowed(bool surface_is_drawn, const ExecutionOptions& execution);
 

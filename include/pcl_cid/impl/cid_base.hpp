@@ -113,27 +113,40 @@ CIDBase<PointT>::gatherColors(const PointSet& points) const
 }
 
 template <typename PointT>
+std::optional<SensorPose>
+CIDBase<PointT>::sensorPose(const Eigen::Vector3d& origin) const
+{
+  const Eigen::Vector3d position =
+      input_->sensor_origin_.template head<3>().template cast<double>();
+  SensorPose pose;
+  pose.position = (position - origin).template cast<float>();
+  pose.down = (input_->sensor_orientation_.normalized() * pose.down).normalized();
+  if (!pose.position.allFinite() || !pose.down.allFinite())
+    return std::nullopt;
+  return pose;
+}
+
+template <typename PointT>
 Preparation
 CIDBase<PointT>::prepareCompute(const pcl::Indices& given_seeds)
 {
   beginCompute();
-  PointSet points = gatherPoints();
-  PointSet surface;
+  RawScan scan;
+  scan.points = gatherPoints();
+  const Eigen::Vector3d origin = scan.points.origin;
   if (search_surface_) {
     pcl::Indices all(search_surface_->size());
     std::iota(all.begin(), all.end(), 0);
-    surface = PointSet(detail::coordinates(*search_surface_, all), all, points.origin);
-    if (surface.size() == 0)
+    scan.surface.given =
+        PointSet(detail::coordinates(*search_surface_, all), all, origin).points;
+    if (scan.surface.given.empty())
       throw CIDException(
           "the search surface has no finite point; at least 1 is needed");
   }
-  const std::vector<ColorRGB> colors = gatherColors(points);
-  Preparation ready = prepare(std::move(points),
-                              surface.points,
-                              colors,
-                              given_seeds,
-                              *this,
-                              execution(0.0, 0.0));
+  scan.colors = gatherColors(scan.points);
+  scan.sensor = sensorPose(origin);
+  Preparation ready = prepare(std::move(scan), given_seeds, *this, execution(0.0, 0.0));
+  blind_spot_ = ready.blind_spot;
   density_decision_ = ready.density;
   return ready;
 }

@@ -49,8 +49,8 @@ CIDSampler<PointT>::extend(int number_of_seeds, pcl::Indices& seeds)
   if (!(sampled_as_ == this->getRawScanSettings()))
     throw CIDException(
         "the density weight or power, the isolated neighbours, the seeding "
-        "rule or the color weight has changed since the sample; what is "
-        "extended must keep them");
+        "rule, the color weight or the filling of the blind spot has changed since "
+        "the sample; what is extended must keep them");
   this->setNumberOfSeeds(number_of_seeds);
   pcl_cid::extend(*prepared_,
                   *this,

@@ -85,6 +85,8 @@ struct Report {
   std::size_t points_grouped = 0;
   /** What was found out about the density. */
   std::optional<DensityDecision> density;
+  /** The blind spot that was filled, its centre in the frame of the file. */
+  std::optional<FilledBlindSpot> blind_spot;
   /** Indices of the seeds in the input, and r_k for each (see SeedProposal). */
   pcl::Indices seeds;
   std::vector<float> coverage;

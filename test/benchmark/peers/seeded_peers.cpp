@@ -36,6 +36,7 @@ configureAsInThePaper(int subsample, CIDParameters& parameters)
   parameters.setSubsample(subsample);
   parameters.setDensityWeight(DensityWeight::off);
   parameters.setIsolatedNeighbors(0);
+  parameters.setFillBlindSpot(false);
 }
 
 } // namespace
