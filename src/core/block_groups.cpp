@@ -186,7 +186,8 @@ BlockGroups::compareBelow(std::size_t node, const Seed& seed, std::size_t hint)
     compareBlock(node, seed, hint);
     return;
   }
-  if (compareNode(node, seed, hint))
+  const bool spares_many = !tree_.isBlock(2 * node);
+  if (spares_many && compareNode(node, seed, hint))
     return;
   compareBelow(2 * node, seed, hint);
   compareBelow(2 * node + 1, seed, hint);
@@ -218,7 +219,11 @@ BlockGroups::compareBlock(std::size_t node, const Seed& seed, std::size_t hint)
     caps.lower(look.point, l, neighboring_samples);
     return false;
   };
-  if (loses(hint) || loses(0) || loses(order_.last()))
+  if (loses(hint) || loses(order_.last()))
+    return;
+  if (!own_tree_) // the seed is its own nearest point
+    caps.lower(seed.position, 0, neighboring_samples);
+  else if (loses(0))
     return;
   for (const SampleOrder::Level& level : order_.levels())
     for (const std::size_t l : level)

@@ -177,9 +177,10 @@ public:
     const float smallest = squared.minCoeff();
     if (smallest >= nearest.squared_distance)
       return;
-    int row = 0;
-    while (squared[row] != smallest && row + 1 < PointBlock::capacity)
-      ++row;
+    constexpr int last = PointBlock::capacity - 1;
+    int row = last; // the first with this distance, without a branch to guess wrong
+    for (int k = 0; k <= last; ++k)
+      row = std::min(row, squared[k] == smallest ? k : last);
     nearest.squared_distance = smallest;
     nearest.slot = static_cast<std::int32_t>(number) * PointBlock::capacity + row;
   }

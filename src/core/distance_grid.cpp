@@ -53,13 +53,27 @@ struct DistanceGrid::Region {
   {
     return {x, y, z, true};
   }
+
+  /** Corner of one of its eight parts. */
+  Place
+  octant(int number) const
+  {
+    const int half = 1 << (shift - 1);
+    return {x + (number & 1 ? half : 0),
+            y + (number & 2 ? half : 0),
+            z + (number & 4 ? half : 0),
+            true};
+  }
 };
 
 /** Nodes with their boxes side by side, for four at a time. */
 struct DistanceGrid::Boxes {
   std::vector<std::int32_t> nodes;
   Eigen::Array<float, Eigen::Dynamic, 6> sides; ///< at least as many rows
-  Eigen::ArrayXf squared_distance;              ///< likewise
+  /** Along each axis, from the centres of the lower and of the upper half of a region;
+   *  likewise. */
+  Eigen::Array<float, Eigen::Dynamic, 6> squared_gap;
+  Eigen::ArrayXf squared_distance; ///< likewise
 
   Eigen::Index
   size() const
@@ -72,6 +86,7 @@ struct DistanceGrid::Boxes {
   {
     if (sides.rows() < size()) {
       sides.resize(2 * size(), 6);
+      squared_gap.resize(2 * size(), 6);
       squared_distance.resize(2 * size());
     }
     for (Eigen::Index k = 0; k < size(); ++k) {
@@ -84,15 +99,31 @@ struct DistanceGrid::Boxes {
     }
   }
 
+  /** \param[in] centre of the octant that is lowest at each axis
+   *  \param[in] opposite centre of the one that is highest at each */
   void
-  measure(const Eigen::Vector3f& p)
+  measureGaps(const Eigen::Vector3f& centre, const Eigen::Vector3f& opposite)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int upper : {0, 1}) {
+        const float p = upper == 0 ? centre[axis] : opposite[axis];
+        squared_gap.col(2 * axis + upper).head(size()) =
+            (sides.col(axis).head(size()) - p)
+                .max(p - sides.col(axis + 3).head(size()))
+                .max(0.0f)
+                .square();
+      }
+  }
+
+  /** From the centre of an octant: of the gaps to eight of them, three times two are
+   *  different. */
+  void
+  measure(int octant)
   {
     const auto gap = [&](int axis) {
-      return (sides.col(axis).head(size()) - p[axis])
-          .max(p[axis] - sides.col(axis + 3).head(size()))
-          .max(0.0f);
+      return squared_gap.col(2 * axis + ((octant >> axis) & 1)).head(size());
     };
-    squared_distance.head(size()) = gap(0).square() + gap(1).square() + gap(2).square();
+    squared_distance.head(size()) = gap(0) + gap(1) + gap(2);
   }
 };
 
@@ -252,6 +283,8 @@ DistanceGrid::open(const Region& region, Boxes& boxes) const
     nodes.push_back(static_cast<std::int32_t>(2 * node + 1));
   }
   boxes.load(tree_);
+  boxes.measureGaps(centreOf(region.octant(0), region.shift - 1),
+                    centreOf(region.octant(7), region.shift - 1));
 }
 
 /** One eighth of a region. */
@@ -262,13 +295,13 @@ DistanceGrid::makePart(const Region& whole,
                        Region& part) const
 {
   part.shift = whole.shift - 1;
-  const int half = 1 << part.shift;
-  part.x = whole.x + (octant & 1 ? half : 0);
-  part.y = whole.y + (octant & 2 ? half : 0);
-  part.z = whole.z + (octant & 4 ? half : 0);
-  const Eigen::Vector3f centre = centreOf(part.corner(), part.shift);
+  const Place corner = whole.octant(octant);
+  part.x = corner.x;
+  part.y = corner.y;
+  part.z = corner.z;
+  const Eigen::Vector3f centre = centreOf(corner, part.shift);
   const Eigen::Array4f x = padded(centre);
-  boxes.measure(centre);
+  boxes.measure(octant);
   // The point nearest to the whole's centre is near to this one, too: few of the others
   // are nearer. It is met again, since it is nearer than its own distance rounded up.
   BlockTree::Nearest nearest;

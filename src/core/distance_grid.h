@@ -94,8 +94,9 @@ private:
       22; ///< 2^22 finest cells a side: what float tells apart
   static constexpr float last_place = static_cast<float>((1 << levels) - 1);
 
-  /** Covers the rounding of a norm; `slack_` covers that of coordinates in the box. */
+  /** Cover the rounding of a norm; `slack_` covers that of coordinates in the box. */
   static constexpr float widening = 1.000002f;
+  static constexpr float narrowing = 0.999998f;
 
   struct Cell {
     std::int32_t slot;  ///< of the nearest point, or ~index of the first of 8 cells
@@ -219,7 +220,7 @@ private:
              const Eigen::Vector3f& centre,
              const Eigen::Vector3f& nearest) const
   {
-    return (centre - nearest).norm() / widening - (x - centre).norm() * widening -
+    return (centre - nearest).norm() * narrowing - (x - centre).norm() * widening -
            slack_;
   }
 

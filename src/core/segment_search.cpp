@@ -33,10 +33,28 @@ struct Look {
   float distance; ///< of the two
 };
 
+/** The looks at a level. Memory is kept and never cleared: a level is often empty. */
+struct Looks {
+  std::vector<Look> memory;
+  std::size_t count = 0;
+
+  Look*
+  begin()
+  {
+    return memory.data();
+  }
+
+  Look*
+  end()
+  {
+    return memory.data() + count;
+  }
+};
+
 /** What a search keeps from call to call: there are millions of them. */
 struct Scratch {
   Eigen::ArrayXf caps;
-  std::vector<Look> looks;
+  Looks looks;
 };
 
 Scratch&
@@ -56,6 +74,7 @@ public:
   , segment_(segment)
   , order_(order)
   , samples_(segment.p, segment.q, order.samples())
+  , samples_a_metre_(1.0f / samples_.spacing)
   , caps_(samples_, order, scratchOfThread().caps)
   {
   }
@@ -188,13 +207,14 @@ private:
   void
   lookUpAbove(const SampleOrder::Level& level, float target)
   {
-    looks_.resize(level.size());
-    std::size_t kept = 0;
+    if (looks_.memory.size() < level.size())
+      looks_.memory.resize(level.size());
+    Look* kept = looks_.begin();
     for (const std::size_t l : level) { // no branch to guess wrong
-      looks_[kept].sample = l;
+      kept->sample = l;
       kept += caps_[l] >= target;
     }
-    looks_.resize(kept);
+    looks_.count = static_cast<std::size_t>(kept - looks_.begin());
     for (Look& look : looks_)
       look = lookAt(look.sample);
     for (const Look& look : looks_)
@@ -219,7 +239,7 @@ private:
   take(const Look& look)
   {
     // Samples that are farther away are not within `aim_` of the point.
-    const float reach = (aim_ + look.distance) / samples_.spacing + 1.0f;
+    const float reach = (aim_ + look.distance) * samples_a_metre_ + 1.0f;
     const std::size_t all = order_.last();
     caps_.lower(look.point,
                 look.sample,
@@ -268,12 +288,13 @@ private:
   const Segment& segment_;
   const SampleOrder& order_;
   SegmentSamples samples_;
+  float samples_a_metre_; ///< infinity where all samples are the same
   SampleCaps caps_;
   bool started_ = false;
   float aim_ = infinity;
   float largest_ = 0.0f; ///< of the exact distances so far
   float reached_ = 0.0f; ///< the last distance, or a lower bound of it
-  std::vector<Look>& looks_ = scratchOfThread().looks;
+  Looks& looks_ = scratchOfThread().looks;
 };
 
 } // namespace
