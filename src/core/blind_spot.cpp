@@ -130,24 +130,30 @@ drawUnderneath(const Points& points, const Plumb& plumb)
   return drawn;
 }
 
-/** Keep what is more than half as far down as almost the lowest: the floor is among it,
- *  but no table, and no part of the scanner. */
-void
-keepLowerHalf(const Plumb& plumb, Points& points)
+/** How far down almost the lowest of them is. */
+float
+lowestDepth(const Points& points, const Plumb& plumb)
 {
-  if (points.empty())
-    return;
   std::vector<float> depths;
   for (const Eigen::Vector3f& p : points)
     depths.push_back(plumb.depth(p));
-  const auto lowest = depths.begin() +
-                      static_cast<std::ptrdiff_t>(
-                          (1.0 - share_below) * static_cast<double>(depths.size() - 1));
+  const auto lowest =
+      depths.begin() + static_cast<std::ptrdiff_t>(
+                           (1.0 - share_below) * static_cast<double>(depths.size() - 1));
   std::nth_element(depths.begin(), lowest, depths.end());
-  const auto is_high = [&plumb, half = 0.5f * *lowest](const Eigen::Vector3f& p) {
-    return plumb.depth(p) < half;
-  };
-  points.erase(std::remove_if(points.begin(), points.end(), is_high), points.end());
+  return *lowest;
+}
+
+/** What is below the half of the way down: the floor is among it, but no table, and no
+ *  part of the scanner. */
+Points
+lowerHalf(const Points& points, const Plumb& plumb, float lowest)
+{
+  Points lower;
+  for (const Eigen::Vector3f& p : points)
+    if (plumb.depth(p) >= 0.5f * lowest)
+      lower.push_back(p);
+  return lower;
 }
 
 std::size_t
@@ -181,17 +187,15 @@ protected:
   }
 };
 
-/** The level plane that most of the points are on, by RANSAC. */
+/** The level plane that most of the points are on, by RANSAC.
+ *  \param[in] lowest depth of almost all of them */
 std::optional<Floor>
-fitFloor(const Points& points, const Plumb& plumb)
+fitFloor(const Points& points, const Plumb& plumb, float lowest)
 {
-  float deepest = 0.0f;
-  for (const Eigen::Vector3f& p : points)
-    deepest = std::max(deepest, plumb.depth(p));
   // About the sensor, in units of the depth: PCL takes what is tiny for nothing.
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector3f& p : points) {
-    const Eigen::Vector3f v = (p - plumb.sensor) / deepest;
+    const Eigen::Vector3f v = (p - plumb.sensor) / lowest;
     cloud->emplace_back(v.x(), v.y(), v.z());
   }
   const auto model = pcl::make_shared<LevelPlane>(cloud, plumb.down);
@@ -205,7 +209,7 @@ fitFloor(const Points& points, const Plumb& plumb)
   model->optimizeModelCoefficients(on_plane, drawn, fitted);
   const float turn = fitted[3] < 0.0f ? 1.0f : -1.0f; // the floor is below the sensor
   return Floor{{plumb.sensor, turn * fitted.head<3>().normalized()},
-               deepest * std::abs(fitted[3]) / fitted.head<3>().norm()};
+               lowest * std::abs(fitted[3]) / fitted.head<3>().norm()};
 }
 
 /** Where the floor begins, if that is at about the same distance all around. */
@@ -283,11 +287,14 @@ findBlindSpot(const Points& points,
   requirePoints(points);
   Progress progress(execution.progress);
   const Plumb plumb(sensor.position, sensor.down);
-  Points underneath = drawUnderneath(points, plumb);
-  keepLowerHalf(plumb, underneath);
-  if (sectorsWith(underneath, plumb) < least_sectors)
+  const Points underneath = drawUnderneath(points, plumb);
+  if (underneath.empty())
+    return std::nullopt;
+  const float lowest = lowestDepth(underneath, plumb);
+  const Points lower = lowerHalf(underneath, plumb, lowest);
+  if (sectorsWith(lower, plumb) < least_sectors)
     return std::nullopt; // not all around; so they are not on one line, either
-  const std::optional<Floor> floor = fitFloor(underneath, plumb);
+  const std::optional<Floor> floor = fitFloor(lower, plumb, lowest);
   if (!floor)
     return std::nullopt;
   progress.poll();

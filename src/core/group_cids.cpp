@@ -45,6 +45,7 @@ GroupCIDs::GroupCIDs(const DistanceField& field,
 : field_(field)
 , points_(points)
 , drawn_(std::move(drawn))
+, from_surface_(areDrawnFromSurface())
 , lattice_(options.group_samples)
 , costs_(options.costs)
 , order_(options.samples)
@@ -105,7 +106,7 @@ GroupCIDs::evaluate(Pair pair)
 {
   std::size_t hint = order_.last() / 2;
   values_[place(pair)] = meanOf(pair, [&](pcl::index_t p, pcl::index_t q) {
-    const Segment segment{position(p), position(q), false};
+    const Segment segment{position(p), position(q), from_surface_};
     return costOf(p, q).of(pointCID(field_, segment, order_, infinity, hint));
   });
   tried_[place(pair)] = exact;
@@ -161,6 +162,16 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
     largest = std::max(largest, field_.distance(segment.at(farthest)));
   constexpr float rounding = 8.0f * std::numeric_limits<float>::epsilon();
   return std::max(largest * (1.0f - rounding) - segment.slack, 0.0f);
+}
+
+bool
+GroupCIDs::areDrawnFromSurface() const
+{
+  for (const pcl::Indices& group : drawn_)
+    for (const pcl::index_t p : group)
+      if (field_.distance(position(p)) != 0.0f)
+        return false;
+  return true;
 }
 
 /** Where the progress stands, if all pairs were to be made exact. */

@@ -97,12 +97,16 @@ private:
     return points_[static_cast<std::size_t>(p)];
   }
 
+  bool
+  areDrawnFromSurface() const;
+
   ProgressSpan
   share() const;
 
   const DistanceField& field_;
   const Points& points_;
   std::vector<pcl::Indices> drawn_;
+  bool from_surface_; ///< d is 0 at all points drawn
   PairLattice lattice_;
   const PairCosts* costs_;
   SampleOrder order_;

@@ -155,8 +155,10 @@ public:
     if (!started_) {
       start(infinity);
       lookUp(hint);
+      const float low = field_.grid().lowerBound(samples_.at(hint)) - samples_.slack;
+      const float target = caps_.squareOf(low); // no use in looking below
       for (std::size_t k = 0; k < std::min(first_levels, order_.levels().size()); ++k)
-        lookUpAbove(order_.levels()[k], 0.0f);
+        lookUpAbove(order_.levels()[k], target);
     }
     for (;;) {
       const float highest = caps_.largest();

@@ -128,6 +128,24 @@ TEST(BlindSpot, MovesWithTheScan)
     }
 }
 
+/// Reflections under the floor.
+TEST(BlindSpot, IsFoundInASceneWithStrayReturns)
+{
+  Points scan = lidarScan({});
+  RandomGenerator generator(4);
+  for (std::size_t k = 0, size = scan.size(); k < size; k += 400) {
+    const auto draw = [&](std::uint64_t to) {
+      return static_cast<float>(drawBelow(generator, to)) / 1000.0f;
+    };
+    scan.emplace_back(draw(8000) - 4.0f, draw(8000) - 4.0f, -2.0f - draw(6000));
+  }
+  const std::optional<BlindSpot> plain = findBlindSpot(lidarScan({}), {}, {});
+  const std::optional<BlindSpot> spot = findBlindSpot(scan, {}, {});
+  ASSERT_TRUE(plain && spot);
+  EXPECT_NEAR(spot->radius, plain->radius, 0.02f);
+  EXPECT_NEAR(spot->centre.z(), -height, 0.01f);
+}
+
 TEST(BlindSpot, IsNoneWhereTheFloorIsSeen)
 {
   LidarOptions options;
