@@ -137,9 +137,9 @@ lowestDepth(const Points& points, const Plumb& plumb)
   std::vector<float> depths;
   for (const Eigen::Vector3f& p : points)
     depths.push_back(plumb.depth(p));
-  const auto lowest =
-      depths.begin() + static_cast<std::ptrdiff_t>(
-                           (1.0 - share_below) * static_cast<double>(depths.size() - 1));
+  const auto lowest = depths.begin() +
+                      static_cast<std::ptrdiff_t>(
+                          (1.0 - share_below) * static_cast<double>(depths.size() - 1));
   std::nth_element(depths.begin(), lowest, depths.end());
   return *lowest;
 }
