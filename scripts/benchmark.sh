@@ -81,14 +81,14 @@ threads_of_curve() {
   done
 }
 
-# The main figure is measured on both sides of the literal method in each round: it takes a second,
-# and the machine's speed changes from one second to the next.
+# The main figures are measured several times in each round, that of the literal method on both sides
+# of it: they take a second or less, and the machine's speed changes from one second to the next.
 measure_small_rooms() {
-  local rounds=$1 points
+  local rounds=$1 points steps=(seeds:100:2 merge:100:2 cut:100:2)
   for points in 20000 200000; do
     room "$rounds" "$points" segment:100:2 segment:100:2 literal:100:2 segment:100:2 \
-      segment:100:2 defaults:100:2 sample:100:2 seeds:100:2 \
-      merge:100:2 cut:100:2 extend:110:2 sample:110:2 segment:10:2 segment:30:2 segment:300:2 \
+      segment:100:2 defaults:100:2 sample:100:2 "${steps[@]}" "${steps[@]}" "${steps[@]}" \
+      "${steps[@]}" extend:110:2 sample:110:2 segment:10:2 segment:30:2 segment:300:2 \
       segment:1000:2 "${curve[@]}"
     room 1 "$points" check:100:2
   done
