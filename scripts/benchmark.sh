@@ -95,9 +95,10 @@ measure_small_rooms() {
 }
 
 measure_large_rooms() {
+  local all_threads=(segment:100:2 "${curve[@]}")
   room 3 254456 segment:100:2
-  room 2 1000000 segment:100:2 "${curve[@]}" literal:100:2 defaults:100:2 sample:100:2 \
-    extend:110:2 sample:110:2 segment:1000:2 "${curve[@]}" segment:100:2
+  room 2 1000000 "${all_threads[@]}" "${all_threads[@]}" literal:100:2 defaults:100:2 \
+    sample:100:2 extend:110:2 sample:110:2 segment:1000:2 "${all_threads[@]}" "${all_threads[@]}"
   room 2 10000000 segment:100:2 literal:100:2
   room 1 1000000 check:100:2
   room 1 10000000 check:100:2
