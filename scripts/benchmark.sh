@@ -81,24 +81,27 @@ threads_of_curve() {
   done
 }
 
-# The main figures are measured several times in each round, that of the literal method on both sides
-# of it: they take a second or less, and the machine's speed changes from one second to the next.
+# The figures that are compared are taken several times a round, on both sides of the literal method
+# where that is the other one: the machine's speed changes from one second to the next.
 measure_small_rooms() {
-  local rounds=$1 points steps=(seeds:100:2 merge:100:2 cut:100:2)
+  local rounds=$1 points
+  local seeds_and_merging=(seeds:100:2 merge:100:2 cut:100:2)
+  seeds_and_merging+=("${seeds_and_merging[@]}")
   for points in 20000 200000; do
     room "$rounds" "$points" segment:100:2 segment:100:2 literal:100:2 segment:100:2 \
-      segment:100:2 defaults:100:2 sample:100:2 "${steps[@]}" "${steps[@]}" "${steps[@]}" \
-      "${steps[@]}" extend:110:2 sample:110:2 segment:10:2 segment:30:2 segment:300:2 \
-      segment:1000:2 "${curve[@]}"
+      segment:100:2 defaults:100:2 sample:100:2 "${seeds_and_merging[@]}" \
+      "${seeds_and_merging[@]}" extend:110:2 sample:110:2 segment:10:2 segment:30:2 \
+      segment:300:2 segment:1000:2 "${curve[@]}"
     room 1 "$points" check:100:2
   done
 }
 
 measure_large_rooms() {
-  local all_threads=(segment:100:2 "${curve[@]}")
+  local one_side=(segment:100:2 "${curve[@]}")
+  one_side+=("${one_side[@]}")
   room 3 254456 segment:100:2
-  room 2 1000000 "${all_threads[@]}" "${all_threads[@]}" literal:100:2 defaults:100:2 \
-    sample:100:2 extend:110:2 sample:110:2 segment:1000:2 "${all_threads[@]}" "${all_threads[@]}"
+  room 2 1000000 "${one_side[@]}" literal:100:2 defaults:100:2 sample:100:2 extend:110:2 \
+    sample:110:2 segment:1000:2 "${one_side[@]}"
   room 2 10000000 segment:100:2 literal:100:2
   room 1 1000000 check:100:2
   room 1 10000000 check:100:2
