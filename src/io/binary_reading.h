@@ -9,7 +9,8 @@
 
 #pragma once
 
-#include "../core/validation.h"
+#include "base/sentence.h"
+#include <pcl_cid/exceptions.h>
 #include "field_values.h"
 
 #include <cerrno>

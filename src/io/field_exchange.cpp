@@ -9,7 +9,7 @@
 
 #include "field_exchange.h"
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 
 #include <cstring>

@@ -7,7 +7,7 @@
  * Clouds from and to files: which format, coordinates, labels, colours.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_exchange.h"
 #include "field_values.h"
 #include "pcd_format.h"

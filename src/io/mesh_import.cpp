@@ -7,7 +7,7 @@
  * The meshes of parts, read back from OBJ and STL files.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "binary_reading.h"
 #include "field_values.h"
 

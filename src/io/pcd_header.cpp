@@ -8,7 +8,7 @@
  */
 
 #include "pcd_header.h"
-#include "../core/validation.h"
+#include "base/sentence.h"
 
 #include <array>
 #include <limits>

@@ -7,7 +7,7 @@
  * Reading PCD files: a strict header, then one of three bodies.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 #include "pcd_format.h"
 #include "pcd_header.h"

@@ -7,7 +7,7 @@
  * Writing PCD files, to the last bit of every field.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 #include "pcd_format.h"
 

@@ -8,7 +8,7 @@
  */
 
 #include "ply_header.h"
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 
 #include <sstream>

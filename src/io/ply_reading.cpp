@@ -7,7 +7,7 @@
  * Reading the body of a PLY: vertices into fields, the camera into the pose.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 #include "ply_format.h"
 #include "ply_header.h"

@@ -7,7 +7,7 @@
  * Convex parts as a scene for robot software: URDF, SDF, MJCF, MoveIt.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 
 #include <pcl_cid/io/mesh_export.h>

@@ -7,7 +7,7 @@
  * The table in which an annotator labels seeds.
  */
 
-#include "../core/validation.h"
+#include "base/sentence.h"
 #include "field_values.h"
 
 #include <pcl_cid/io/seed_table.h>

@@ -11,7 +11,7 @@
 
 #include "literal_method.h"
 
-#include "core/parallel_for.h"
+#include "base/parallel_for.h"
 
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/cid_sampler.h>

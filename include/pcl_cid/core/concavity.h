@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/distance_field.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <limits>
@@ -18,8 +19,8 @@ namespace pcl_cid {
 
 /** \brief Fewest and most samples on a segment (M). Up to the upper limit the position
  *  of a sample is exact to the last bit of float. */
-constexpr int min_samples = 2;
-constexpr int max_samples = 1 << 20;
+constexpr int min_samples = setting::samples.least;
+constexpr int max_samples = setting::samples.most;
 
 /** \brief Sample l of M on the segment pq: x_l = p + (q - p) l / (M - 1).
  *

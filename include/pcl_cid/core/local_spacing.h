@@ -10,18 +10,12 @@
 #pragma once
 
 #include <pcl_cid/core/nearest_neighbors.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <vector>
 
 namespace pcl_cid {
-
-/** \brief Whether CIDs are divided by the local spacing of the points (*ours*). */
-enum class DensityWeight {
-  automatic, ///< on where the spacing is uneven, off where it is even
-  off,       ///< the paper
-  on
-};
 
 /** Spacings below this share of the median count as this much: a sensor that is held
  *  close to a thing resolves more than a thing's shape needs. */

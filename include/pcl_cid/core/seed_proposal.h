@@ -13,6 +13,7 @@
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/pair_cost.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
@@ -56,12 +57,6 @@ struct GroupingOptions {
   /** Fill in `cid`, which about doubles the time and which extendProposal() needs. */
   bool keep_cid = true;
   ExecutionOptions execution;
-};
-
-/** \brief How the next seed is chosen. */
-enum class SeedingRule {
-  farthest, ///< the point with the largest CID (or cost) to its seed: the paper
-  soft      ///< drawn with the 16th power of it as weight (*ours*): less drawn to noise
 };
 
 /** \brief When the traversal of Algorithm 1 stops, and what it works on. */

@@ -1,0 +1,384 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The one table of settings: name, default, range, unit, and a sentence for each.
+ */
+
+#pragma once
+
+#include <pcl_cid/pcl_cid_export.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace pcl_cid {
+
+/** \brief A setting that is a number. Its row feeds the check in the library, the
+ *  option of a tool and its help, the report, and the table in doc/settings.md. */
+template <typename Value>
+struct NumberSetting {
+  const char* group;       ///< the headline that it stands below
+  const char* name;        ///< in the report; the option has "-" for "_"
+  const char* title;       ///< in a message: "the <title> is 0"
+  const char* placeholder; ///< in the help: "--name PLACEHOLDER"
+  const char* unit;        ///< "metres", or "" for a plain number
+  Value initial;           ///< the default
+  Value least;
+  Value most;
+  const char* meaning; ///< one sentence, without its full stop
+  /** What 0 means, where it is allowed beside the range; else null. */
+  const char* zero = nullptr;
+
+  constexpr bool
+  allows(Value value) const
+  {
+    return (value >= least && value <= most) || (zero && value == Value{0});
+  }
+};
+
+/** \brief "a whole number, 2 to 1048576", as it follows "it must be". */
+template <typename Value>
+PCL_CID_EXPORT std::string
+rangeOf(const NumberSetting<Value>& setting);
+
+/** \brief Refuse a value that is out of its range.
+ *  \throws CIDException "the <title> is <value>; it must be <range>" */
+template <typename Value>
+PCL_CID_EXPORT void
+require(const NumberSetting<Value>& setting, Value value);
+
+/** \brief A setting that is one of a few words. */
+template <typename Value, std::size_t Count>
+struct ChoiceSetting {
+  struct Word {
+    const char* word;
+    Value value;
+  };
+
+  const char* group;
+  const char* name;
+  const char* placeholder;
+  Value initial;
+  std::array<Word, Count> words;
+  const char* meaning;
+
+  /** \brief The word for a value. */
+  constexpr const char*
+  wordOf(Value value) const
+  {
+    for (const Word& each : words)
+      if (each.value == value)
+        return each.word;
+    return "";
+  }
+};
+
+/** \brief Whether CIDs are divided by the local spacing of the points (*ours*). */
+enum class DensityWeight {
+  automatic, ///< on where the spacing is uneven, off where it is even
+  off,       ///< the paper
+  on
+};
+
+/** \brief How the next seed is chosen. */
+enum class SeedingRule {
+  farthest, ///< the point with the largest CID (or cost) to its seed: the paper
+  soft      ///< drawn with the 16th power of it as weight (*ours*): less drawn to noise
+};
+
+/** \brief The rows. */
+namespace setting {
+
+constexpr int any_number = std::numeric_limits<int>::max();
+constexpr float any_length = std::numeric_limits<float>::max();
+/** Hulls are made in double; beyond this, cubes of lengths overflow. */
+constexpr double longest = 1e15;
+constexpr double shortest = 1e-15;
+
+inline constexpr NumberSetting<int> seeds{"Seeds",
+                                          "seeds",
+                                          "number of seeds",
+                                          "K",
+                                          "",
+                                          100,
+                                          1,
+                                          any_number,
+                                          "number of seeds"};
+
+inline constexpr NumberSetting<float> coverage{
+    "Seeds",
+    "coverage",
+    "coverage",
+    "R",
+    "metres",
+    0.0f,
+    0.0f,
+    any_length,
+    "stop when every point is within this CID of its seed; 0 never does"};
+
+inline constexpr NumberSetting<int> samples{"Seeds",
+                                            "samples",
+                                            "number of samples on a segment",
+                                            "M",
+                                            "",
+                                            100,
+                                            2,
+                                            1 << 20,
+                                            "samples on a segment (Eq. 2)"};
+
+inline constexpr NumberSetting<int> subsample{
+    "Seeds",
+    "subsample",
+    "subsample",
+    "N",
+    "",
+    0,
+    0,
+    any_number,
+    "work on a random draw of N points, which the others follow (the paper: 20000); 0 "
+    "works on all"};
+
+inline constexpr NumberSetting<std::uint64_t> random_seed{
+    "Seeds",
+    "random_seed",
+    "random seed",
+    "S",
+    "",
+    0,
+    0,
+    std::numeric_limits<std::uint64_t>::max(),
+    "of every random draw"};
+
+inline constexpr NumberSetting<int> start_index{
+    "Seeds",
+    "start_index",
+    "start index",
+    "I",
+    "",
+    0,
+    0,
+    any_number,
+    "first seed, a point of the input, instead of a random one"};
+
+inline constexpr ChoiceSetting<DensityWeight, 3> density{
+    "Raw scans",
+    "density",
+    "WHEN",
+    DensityWeight::automatic,
+    {{{"auto", DensityWeight::automatic},
+      {"off", DensityWeight::off},
+      {"on", DensityWeight::on}}},
+    "divide CIDs by the local spacing of the points: auto (where it is uneven), off "
+    "(the paper) or on"};
+
+inline constexpr NumberSetting<float> density_power{
+    "Raw scans",
+    "density_power",
+    "density power",
+    "P",
+    "",
+    1.0f,
+    0.0f,
+    4.0f,
+    "power of the spacing that CIDs are divided by"};
+
+inline constexpr NumberSetting<int> isolated_neighbors{
+    "Raw scans",
+    "isolated_neighbors",
+    "least number of near neighbors",
+    "N",
+    "",
+    4,
+    0,
+    8,
+    "points with fewer others near them become no seeds; 0 lets all points be seeds"};
+
+inline constexpr ChoiceSetting<SeedingRule, 2> seeding{
+    "Raw scans",
+    "seeding",
+    "RULE",
+    SeedingRule::farthest,
+    {{{"farthest", SeedingRule::farthest}, {"soft", SeedingRule::soft}}},
+    "the next seed: farthest (the paper), or soft: drawn, the farther the likelier"};
+
+inline constexpr NumberSetting<float> color{
+    "Raw scans",
+    "color",
+    "color weight",
+    "LAMBDA",
+    "metres",
+    0.0f,
+    0.0f,
+    any_length,
+    "metres that a unit of difference in CIE L*a*b* adds to a CID"};
+
+inline constexpr ChoiceSetting<bool, 2> blind_spot{
+    "Raw scans",
+    "blind_spot",
+    "WHEN",
+    true,
+    {{{"auto", true}, {"off", false}}},
+    "the floor that a scanner hides from itself is a part of the surface: auto (where "
+    "there is a hole under the viewpoint) or off"};
+
+inline constexpr NumberSetting<int> parts{"Parts",
+                                          "parts",
+                                          "number of parts",
+                                          "K",
+                                          "",
+                                          30,
+                                          1,
+                                          any_number,
+                                          "merge groups until this many parts remain"};
+
+inline constexpr NumberSetting<double> threshold{
+    "Parts",
+    "threshold",
+    "merge threshold",
+    "R",
+    "metres",
+    0.0,
+    0.0,
+    longest,
+    "merge while the smallest group CID is at most this"};
+
+inline constexpr NumberSetting<int> merges{"Parts",
+                                           "merges",
+                                           "number of merges",
+                                           "T",
+                                           "",
+                                           0,
+                                           0,
+                                           any_number,
+                                           "merge this many times"};
+
+inline constexpr NumberSetting<int> group_samples{
+    "Parts",
+    "group_samples",
+    "group sample size",
+    "G",
+    "",
+    32,
+    1,
+    1 << 20,
+    "points drawn from each group; its group CIDs are means of so many pairs"};
+
+inline constexpr NumberSetting<int> min_points{
+    "Parts",
+    "min_points",
+    "least number of points of a part",
+    "N",
+    "",
+    1,
+    1,
+    any_number,
+    "drop parts of fewer points; no hull covers those"};
+
+inline constexpr NumberSetting<double> min_thickness{
+    "Hulls",
+    "min_thickness",
+    "least thickness of a hull",
+    "R",
+    "metres",
+    0.005,
+    shortest,
+    longest,
+    "least thickness of a hull; thinner parts are thickened"};
+
+inline constexpr NumberSetting<int> max_vertices{
+    "Hulls",
+    "max_vertices",
+    "largest number of vertices",
+    "N",
+    "",
+    0,
+    4,
+    any_number,
+    "most vertices of a hull; larger ones are simplified outward",
+    "for any number"};
+
+inline constexpr NumberSetting<double> padding{"Hulls",
+                                               "padding",
+                                               "padding",
+                                               "R",
+                                               "metres",
+                                               0.0,
+                                               0.0,
+                                               longest,
+                                               "grow hulls outward by this"};
+
+inline constexpr NumberSetting<double> trim_distance{
+    "Hulls",
+    "trim_distance",
+    "trim distance",
+    "R",
+    "metres",
+    0.0,
+    0.0,
+    longest,
+    "leave stray points out of hulls: clusters that are farther than this from the "
+    "bulk "
+    "of their part; 0 for none"};
+
+inline constexpr NumberSetting<double> free_distance{
+    "Hulls",
+    "free_distance",
+    "free distance",
+    "R",
+    "metres",
+    0.05,
+    shortest,
+    longest,
+    "space that is farther than this from the scan counts as free"};
+
+inline constexpr NumberSetting<unsigned int> threads{
+    "Run",
+    "threads",
+    "number of threads",
+    "T",
+    "",
+    0,
+    0,
+    1024,
+    "number of threads, 0 for all; never changes a result"};
+
+} // namespace setting
+
+/** \brief Call \a visit with every row of the table, in its order. */
+template <typename Visitor>
+void
+forEachSetting(Visitor&& visit)
+{
+  const auto visit_all = [&](const auto&... rows) { (visit(rows), ...); };
+  visit_all(setting::seeds,
+            setting::coverage,
+            setting::samples,
+            setting::subsample,
+            setting::random_seed,
+            setting::start_index,
+            setting::density,
+            setting::density_power,
+            setting::isolated_neighbors,
+            setting::seeding,
+            setting::color,
+            setting::blind_spot,
+            setting::parts,
+            setting::threshold,
+            setting::merges,
+            setting::group_samples,
+            setting::min_points,
+            setting::min_thickness,
+            setting::max_vertices,
+            setting::padding,
+            setting::trim_distance,
+            setting::free_distance,
+            setting::threads);
+}
+
+} // namespace pcl_cid

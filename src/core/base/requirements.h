@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What points and indices must be; settings have their own table (settings.h).
+ */
+
+#pragma once
+
+#include "sentence.h"
+
+#include <pcl_cid/core/point_set.h>
+#include <pcl_cid/exceptions.h>
+
+#include <cstddef>
+
+namespace pcl_cid {
+
+template <typename Number>
+void
+requireAtLeast(const char* name, Number value, Number least)
+{
+  if (value < least)
+    throw CIDException(
+        sentence("the ", name, " is ", value, "; it must be at least ", least));
+}
+
+inline void
+requireIndex(const char* name, pcl::index_t index, std::size_t count)
+{
+  if (index < 0 || static_cast<std::size_t>(index) >= count)
+    throw CIDException(sentence(
+        "the ", name, " is ", index, "; it must be 0 to ", count, " - 1 (the points)"));
+}
+
+inline void
+requirePoints(const Points& points)
+{
+  if (points.empty())
+    throw CIDException("there is no finite point to work on; at least 1 is needed");
+}
+
+} // namespace pcl_cid

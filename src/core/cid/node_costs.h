@@ -1,0 +1,70 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The cost of a seed and of any point below a node of a block tree.
+ */
+
+#pragma once
+
+#include "field/block_tree.h"
+
+#include <pcl_cid/core/pair_cost.h>
+
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief Refuse costs that are not of these points, or are not numbers.
+ *  \throws CIDException */
+void
+requireCosts(const PairCosts& costs, std::size_t points);
+
+/** \brief Bounds of PairCosts::between() for whole nodes: w is smallest where the
+ *  spacing is largest, a cue is within the nearest and the farthest corner of the box
+ *  of the node's colours. */
+class NodeCosts {
+public:
+  /** \param[in] costs of the points of the tree; null means their CIDs; must outlive
+   *  this
+   *  \param[in] tree what the nodes are of */
+  NodeCosts(const PairCosts* costs,
+            const BlockTree& tree,
+            int threads,
+            Progress& progress);
+
+  /** \brief The cost of a pair of points. */
+  PairCost
+  between(std::size_t p, std::size_t q) const
+  {
+    return costs_ ? costs_->between(p, q) : PairCost();
+  }
+
+  /** \brief What no pair of a seed and a point below a node falls below. */
+  PairCost
+  least(std::size_t node, std::size_t seed) const;
+
+  /** \brief What none exceeds. */
+  PairCost
+  most(std::size_t node, std::size_t seed) const;
+
+private:
+  struct Range {
+    float low = std::numeric_limits<float>::infinity();
+    float high = 0.0f;
+  };
+
+  void
+  gather(const BlockTree& tree, std::size_t block);
+
+  void
+  join(std::size_t node);
+
+  const PairCosts* costs_;
+  std::vector<Range> spacing_;  ///< by node; empty without spacing
+  std::vector<PointBox> color_; ///< by node; empty without colours
+};
+
+} // namespace pcl_cid

@@ -1,0 +1,339 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The CID of one segment: whether it reaches a limit, bounds of it, its value.
+ */
+
+#include "segment_search.h"
+
+#include "field/distance_grid.h"
+#include "sample_caps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pcl_cid {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float epsilon = std::numeric_limits<float>::epsilon();
+
+/** Levels of samples that the search for the largest distance begins with. */
+constexpr std::size_t first_levels = 3;
+
+/** The surface point that a look at a sample brought. */
+struct Look {
+  std::size_t sample;
+  Eigen::Vector3f point;
+  float distance; ///< of the two
+};
+
+/** The looks at a level. Memory is kept and never cleared: a level is often empty. */
+struct Looks {
+  std::vector<Look> memory;
+  std::size_t count = 0;
+
+  Look*
+  begin()
+  {
+    return memory.data();
+  }
+
+  Look*
+  end()
+  {
+    return memory.data() + count;
+  }
+};
+
+/** What a search keeps from call to call: there are millions of them. */
+struct Scratch {
+  Eigen::ArrayXf caps;
+  Looks looks;
+};
+
+Scratch&
+scratchOfThread()
+{
+  thread_local Scratch scratch;
+  return scratch;
+}
+
+/** An upper bound of d at each sample of a segment, exact values where needed. */
+class SegmentSearch {
+public:
+  SegmentSearch(const DistanceField& field,
+                const Segment& segment,
+                const SampleOrder& order)
+  : field_(field)
+  , segment_(segment)
+  , order_(order)
+  , samples_(segment.p, segment.q, order.samples())
+  , samples_a_metre_(1.0f / samples_.spacing)
+  , caps_(samples_, order, scratchOfThread().caps)
+  {
+  }
+
+  /** One sample that is far enough decides, most often where it did for the segment
+   *  before or beside that; an upper bound below the limit at each shows that there is
+   *  none. */
+  std::optional<float>
+  findAtLeast(float limit, std::size_t& hint)
+  {
+    const DistanceField::Nearest at_hint = evaluate(hint);
+    if (at_hint.distance >= limit)
+      return at_hint.distance;
+    start(limit);
+    settle(hint, at_hint);
+    const float target = caps_.squareOf(limit);
+    for (const std::size_t end : {std::size_t{0}, order_.last()})
+      if (reaches(end, limit, target))
+        return reached_;
+    const std::size_t before = hint - std::min<std::size_t>(hint, 1);
+    for (const std::size_t beside : {before, std::min(hint + 1, order_.last())}) {
+      if (caps_[beside] >= target)
+        lookUp(beside);
+      if (reaches(beside, limit, target)) {
+        hint = beside;
+        return reached_;
+      }
+    }
+    for (const SampleOrder::Level& level : order_.levels()) {
+      lookUpAbove(level, target);
+      for (const Look& look : looks_)
+        if (reaches(look.sample, limit, target)) {
+          hint = look.sample;
+          return reached_;
+        }
+    }
+    return std::nullopt;
+  }
+
+  /** An upper bound, from looks at the samples that may raise it; \a limit when some
+   *  sample is that far from the surface. */
+  float
+  bound(float limit, Tightness tightness, std::size_t& hint)
+  {
+    start(limit);
+    lookUp(hint);
+    const float target = caps_.squareOf(limit);
+    float largest = 0.0f;
+    for (const std::size_t l : {hint, std::size_t{0}, order_.last()}) {
+      if (reaches(l, limit, target))
+        return limit;
+      largest = std::max(largest, orDistance(caps_[l]));
+    }
+    for (const SampleOrder::Level& level : order_.levels()) {
+      lookUpAbove(level, largest);
+      for (const Look& look : looks_) {
+        const bool reached = reaches(look.sample, limit, target);
+        if (reached || orDistance(caps_[look.sample]) > largest)
+          hint = look.sample;
+        if (reached)
+          return limit;
+        largest = std::max(largest, orDistance(caps_[look.sample]));
+      }
+    }
+    if (tightness == Tightness::exact)
+      return largestOfLooks();
+    return std::sqrt(orDistance(caps_.largest())) * (1.0f + 4.0f * epsilon) +
+           samples_.slack;
+  }
+
+  /** The largest distance: look where it can be largest, evaluate where looking does
+   *  not help, until no sample can be farther than the farthest so far. */
+  float
+  maximum(std::size_t& hint)
+  {
+    if (segment_.p == segment_.q) // all samples are the same
+      return evaluate(hint).distance;
+    if (!started_) {
+      start(infinity);
+      lookUp(hint);
+      const float low = field_.grid().lowerBound(samples_.at(hint)) - samples_.slack;
+      const float target = caps_.squareOf(low); // no use in looking below
+      for (std::size_t k = 0; k < std::min(first_levels, order_.levels().size()); ++k)
+        lookUpAbove(order_.levels()[k], target);
+    }
+    for (;;) {
+      const float highest = caps_.largest();
+      if (!(highest >= caps_.squareOf(largest_)))
+        return largest_;
+      aim_ = std::sqrt(highest);
+      const std::size_t l = caps_.find(highest);
+      lookUp(l);
+      if (caps_[l] < highest)
+        continue;
+      settle(l, evaluate(l));
+      if (reached_ == largest_)
+        hint = l;
+    }
+  }
+
+private:
+  /** The largest distance, when looking has done what it can: evaluate the sample that
+   *  may be the farthest, until none can be farther than the farthest so far. */
+  float
+  largestOfLooks()
+  {
+    for (;;) {
+      const float highest = caps_.largest();
+      if (highest < caps_.squareOf(largest_))
+        return largest_;
+      const std::size_t l = caps_.find(highest);
+      settle(l, evaluate(l));
+    }
+  }
+
+  /** \param[in] aim caps that are larger would be of no use, metres */
+  void
+  start(float aim)
+  {
+    started_ = true;
+    aim_ = aim;
+    caps_.reset();
+    for (const std::size_t end : {std::size_t{0}, order_.last()})
+      if (segment_.between_surface_points)
+        settle(end, {end == 0 ? segment_.p : segment_.q, 0.0f});
+      else
+        lookUp(end);
+  }
+
+  /** Look up those samples of a level whose caps are no smaller than a target, side by
+   *  side. */
+  void
+  lookUpAbove(const SampleOrder::Level& level, float target)
+  {
+    if (looks_.memory.size() < level.size())
+      looks_.memory.resize(level.size());
+    Look* kept = looks_.begin();
+    for (const std::size_t l : level) { // no branch to guess wrong
+      kept->sample = l;
+      kept += caps_[l] >= target;
+    }
+    looks_.count = static_cast<std::size_t>(kept - looks_.begin());
+    for (Look& look : looks_)
+      look = lookAt(look.sample);
+    for (const Look& look : looks_)
+      take(look);
+  }
+
+  void
+  lookUp(std::size_t l)
+  {
+    take(lookAt(l));
+  }
+
+  Look
+  lookAt(std::size_t l) const
+  {
+    const Eigen::Vector3f x = samples_.at(l);
+    const Eigen::Vector3f& point = field_.grid().likelyNearest(x);
+    return {l, point, (x - point).norm()};
+  }
+
+  void
+  take(const Look& look)
+  {
+    // Samples that are farther away are not within `aim_` of the point.
+    const float reach = (aim_ + look.distance) * samples_a_metre_ + 1.0f;
+    const std::size_t all = order_.last();
+    caps_.lower(look.point,
+                look.sample,
+                reach < static_cast<float>(all) ? static_cast<std::size_t>(reach)
+                                                : all);
+  }
+
+  /** Whether d at a sample is at least the limit; `reached_` is then between the two.
+   */
+  bool
+  reaches(std::size_t l, float limit, float target)
+  {
+    if (caps_[l] < target)
+      return false;
+    reached_ = field_.grid().lowerBound(samples_.at(l)) - samples_.slack;
+    if (reached_ < limit)
+      settle(l, evaluate(l));
+    return reached_ >= limit;
+  }
+
+  /** A cap, or the square of the largest distance so far. What is added stands for
+   *  distances whose squares float cannot tell from 0. */
+  float
+  orDistance(float cap) const
+  {
+    return std::max(cap, largest_ * largest_ + std::numeric_limits<float>::min());
+  }
+
+  DistanceField::Nearest
+  evaluate(std::size_t l) const
+  {
+    return field_.nearestPoint(
+        segmentSample(segment_.p, segment_.q, static_cast<int>(l), order_.samples()));
+  }
+
+  void
+  settle(std::size_t l, const DistanceField::Nearest& nearest)
+  {
+    reached_ = nearest.distance;
+    largest_ = std::max(largest_, reached_);
+    take({l, nearest.point, nearest.distance});
+    caps_[l] = SampleCaps::settled;
+  }
+
+  const DistanceField& field_;
+  const Segment& segment_;
+  const SampleOrder& order_;
+  SegmentSamples samples_;
+  float samples_a_metre_; ///< infinity where all samples are the same
+  SampleCaps caps_;
+  bool started_ = false;
+  float aim_ = infinity;
+  float largest_ = 0.0f; ///< of the exact distances so far
+  float reached_ = 0.0f; ///< the last distance, or a lower bound of it
+  Looks& looks_ = scratchOfThread().looks;
+};
+
+} // namespace
+
+std::optional<float>
+findCIDAtLeast(const DistanceField& field,
+               const Segment& segment,
+               const SampleOrder& order,
+               float limit,
+               std::size_t& hint)
+{
+  return SegmentSearch(field, segment, order).findAtLeast(limit, hint);
+}
+
+float
+boundPointCID(const DistanceField& field,
+              const Segment& segment,
+              const SampleOrder& order,
+              float limit,
+              Tightness tightness,
+              std::size_t& hint)
+{
+  return SegmentSearch(field, segment, order).bound(limit, tightness, hint);
+}
+
+float
+pointCID(const DistanceField& field,
+         const Segment& segment,
+         const SampleOrder& order,
+         float limit,
+         std::size_t& hint)
+{
+  SegmentSearch search(field, segment, order); // Eq. 2
+  if (limit < infinity)
+    if (const std::optional<float> found = search.findAtLeast(limit, hint))
+      return *found;
+  return search.maximum(hint);
+}
+
+} // namespace pcl_cid
