@@ -37,7 +37,7 @@ function(pcl_cid_add_room library name)
     PCL_CID_HEADERS "${headers}"
     POSITION_INDEPENDENT_CODE ON)
   target_include_directories(${room} PRIVATE ${view})
-  target_link_libraries(${room} PRIVATE ${ROOM_LIBRARIES} OpenMP::OpenMP_CXX)
+  target_link_libraries(${room} PRIVATE ${ROOM_LIBRARIES})
   pcl_cid_compile_for(${library} ${room})
 endfunction()
 

@@ -11,7 +11,7 @@
 #include "oracle.h"
 
 #include <pcl_cid/cid_sampler.h>
-#include <pcl_cid/core/isolated_points.h>
+#include "scan/isolated_points.h"
 
 #include <cmath>
 #include <limits>

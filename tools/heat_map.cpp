@@ -53,7 +53,7 @@ heatMap(const CloudPoints& cloud,
   const DistanceField field(finite.points, options);
   console.end(std::to_string(finite.size()) + " finite points", "prepare", report);
   console.begin("Measuring");
-  const Eigen::Vector3f p = (from.cast<double>() - finite.origin).cast<float>();
+  const Eigen::Vector3f p = finite.frame.toLocal(from.cast<double>()).cast<float>();
   const std::vector<float> cids = cidFrom(field,
                                           p,
                                           finite.points,

@@ -11,7 +11,6 @@
 
 #include "tool_run.h"
 
-#include <pcl_cid/core/nearest_neighbors.h>
 
 #include <cfloat>
 #include <memory>
@@ -32,7 +31,7 @@ const std::vector<std::string> seeding_words{"farthest", "soft"};
 void
 declareRawScanOptions(RawScanOptions& options, CommandLine& command_line)
 {
-  constexpr int most = NearestNeighbors::most;
+  constexpr int most = setting::isolated_neighbors.most;
   command_line.group("Raw scans");
   command_line.choice(
       "density",

@@ -11,8 +11,8 @@
 
 #include "command_line.h"
 
-#include <pcl_cid/core/cid_parameters.h>
-#include <pcl_cid/core/preparation.h>
+#include <pcl_cid/cid_parameters.h>
+#include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/io/report.h>
 
@@ -25,13 +25,13 @@ namespace pcl_cid::tools {
 
 class Console;
 
-/** \brief RawScanSettings as the command line has them. */
+/** \brief These settings as the command line has them. */
 struct RawScanOptions {
   std::size_t density = 0; ///< as in DensityWeight
-  float density_power = RawScanSettings().density_power;
-  int isolated_neighbors = RawScanSettings().isolated_neighbors;
+  float density_power = setting::density_power.initial;
+  int isolated_neighbors = setting::isolated_neighbors.initial;
   std::size_t seeding = 0; ///< as in SeedingRule
-  float color = RawScanSettings().color_weight;
+  float color = setting::color.initial;
   std::size_t blind_spot = 0; ///< 0: filled
 };
 

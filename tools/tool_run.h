@@ -12,7 +12,7 @@
 #include "command_line.h"
 #include "raw_scan_options.h"
 
-#include <pcl_cid/core/cid_parameters.h>
+#include <pcl_cid/cid_parameters.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/io/report.h>
 

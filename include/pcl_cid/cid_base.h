@@ -9,12 +9,10 @@
 
 #pragma once
 
-#include <pcl_cid/core/cid_parameters.h>
-#include <pcl_cid/core/preparation.h>
+#include <pcl_cid/cid_parameters.h>
 #include <pcl_cid/exceptions.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <pcl/pcl_base.h>
@@ -32,6 +30,9 @@ namespace pcl_cid {
  *
  *  Every result is the same, to the byte, for each number of threads and each run. An
  *  object serves one thread at a time; separate objects may work side by side.
+ *
+ *  The input is prepared by the first verb, and once (see CIDParameters). So its points
+ *  must not change until another setInputCloud(), which is how to say that they have.
  *
  *  Every setter refuses a bad value at once; every verb throws CIDException when the
  *  input is missing or unusable, CIDCancelled when the progress callback says so, and
@@ -53,12 +54,33 @@ public:
   using typename Base::PointCloudConstPtr;
   using typename Base::PointCloudPtr;
 
+  using typename Base::PointIndicesConstPtr;
+
+  void
+  setInputCloud(const PointCloudConstPtr& cloud) override;
+
+  void
+  setIndices(const pcl::IndicesPtr& indices) override;
+
+  void
+  setIndices(const pcl::IndicesConstPtr& indices) override;
+
+  void
+  setIndices(const PointIndicesConstPtr& indices) override;
+
+  void
+  setIndices(std::size_t row_start,
+             std::size_t col_start,
+             std::size_t nb_rows,
+             std::size_t nb_cols) override;
+
   /** \brief The surface S that distances are measured to; null, the default, means the
-   *  points that are grouped. */
+   *  points that are grouped. A setting of the preparation. */
   void
   setSearchSurface(const PointCloudConstPtr& search_surface)
   {
     search_surface_ = search_surface;
+    this->forgetScan();
   }
 
   PointCloudConstPtr
@@ -67,58 +89,39 @@ public:
     return search_surface_;
   }
 
-  /** \brief What the last verb found out about the density of the input, and did. */
-  const DensityDecision&
-  getDensityDecision() const
-  {
-    return density_decision_;
-  }
-
-  /** \brief The blind spot that the last verb filled, if any. */
-  const std::optional<FilledBlindSpot>&
-  getBlindSpot() const
-  {
-    return blind_spot_;
-  }
-
 protected:
-  using Base::deinitCompute;
   using Base::indices_;
-  using Base::initCompute;
   using Base::input_;
+  using Base::use_indices_;
 
   CIDBase() = default;
 
-  /** \brief Begin a verb: check the input.
-   *  \throws CIDException when there is none, or an index is out of range */
-  void
-  beginCompute();
-
-  /** \brief The finite, selected points, about an origin of their own. */
-  PointSet
-  gatherPoints() const;
-
-  /** \brief Begin a verb: check the input, draw the working set, find the seeds in it.
-   *  \param[in] given_seeds indices of the input cloud; empty for a start */
-  Preparation
-  prepareCompute(const pcl::Indices& given_seeds);
+  /** \brief The input cloud, which must be the one that was prepared.
+   *  \throws CIDException when there is none, or it has another number of points */
+  const PointCloud&
+  preparedInput() const;
 
 private:
-  /** \brief Colours of the points, from setColors() or the point type; none where the
+  RawScan
+  gatherScan() const override;
+
+  /** \brief Check the input and its indices.
+   *  \throws CIDException when there is no input, or an index is out of range */
+  pcl::Indices
+  selectedPoints() const;
+
+  /** \brief Colors of the points, from setColors() or the point type; none where the
    *  color weight is 0.
    *  \throws CIDException when there are none and there should be */
   std::vector<ColorRGB>
   gatherColors(const PointSet& points) const;
 
   /** \brief Where the input was taken from.
-   *  \param[in] origin what its points are relative to
    *  \return nothing when the cloud does not say it in finite numbers */
   std::optional<SensorPose>
-  sensorPose(const Eigen::Vector3d& origin) const;
+  sensorPose(const Frame& frame) const;
 
   PointCloudConstPtr search_surface_;
-  std::optional<FilledBlindSpot> blind_spot_;
-  DensityDecision density_decision_;
 };
 
 } // namespace pcl_cid

@@ -13,8 +13,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include <pcl/common/io.h>
 #include <pcl/point_cloud.h>
 
 namespace pcl_cid {
@@ -35,6 +37,13 @@ namespace pcl_cid {
  *    pcl::PointCloud<pcl::PointXYZL> labelled;
  *    propagation.segment(labelled);
  *    \endcode
+ *
+ *  Where the result is wrong, seeds correct it, at the cost of what they change:
+ *
+ *  \code
+ *    propagation.addSeeds({1234}, {7});
+ *    propagation.segment(labelled);
+ *  \endcode
  *
  *  Points that are not finite or not selected get label 0. See CIDBase for the input,
  *  errors, determinism and thread safety.
@@ -88,51 +97,98 @@ public:
     return annotator_;
   }
 
+  /** \brief Take these groups, of a sampler for instance, instead of making any, and
+   *  the scan that they are on. Seeds that are set must be theirs, in the same order;
+   *  with others, or another number of samples, seeding rule, setting of the
+   * preparation or input, groups are made again. \throws CIDException when it is null
+   */
+  void
+  setGrouping(const Grouping::ConstPtr& grouping)
+  {
+    this->adoptGrouping(grouping);
+  }
+
   /** \brief Whether getProposal() has the CID of every point to its seed; the default,
    *  false, saves a good part of the time. */
   void
   setKeepCID(bool keep_cid)
   {
-    keep_cid_ = keep_cid;
+    this->setKeepCIDs(keep_cid);
   }
 
   bool
   getKeepCID() const
   {
-    return keep_cid_;
+    return this->keepsCIDs();
   }
 
   /** \brief Label every point.
-   *  \param[out] labelled the input cloud's points, in order and shape, with labels
+   *  \param[out] labels one for each point of the input cloud
    *  \throws CIDException, CIDCancelled, and whatever the annotator throws */
-  void
-  segment(pcl::PointCloud<pcl::PointXYZL>& labelled);
-
-  /** \brief Label every point.
-   *  \param[out] labels one for each point of the input cloud */
   void
   segment(std::vector<std::uint32_t>& labels);
 
-  /** \brief Seeds, groups and coverage of the last segment(). */
-  const SeedProposal&
-  getProposal() const
+  /** \brief Label every point.
+   *  \param[out] labelled the points of the input cloud, in order and shape, with the
+   *  fields that both point types have, and labels; empty when an exception is thrown
+   */
+  template <typename PointOutT>
+  void
+  segment(pcl::PointCloud<PointOutT>& labelled)
   {
-    return proposal_;
+    static_assert(pcl::traits::has_label_v<PointOutT>,
+                  "pcl_cid writes labels into point types that have the field `label`, "
+                  "such as pcl::PointXYZL or pcl::PointXYZRGBL");
+    labelled = pcl::PointCloud<PointOutT>();
+    std::vector<std::uint32_t> labels;
+    segment(labels);
+    pcl::copyPointCloud(this->preparedInput(), labelled);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      labelled[i].label = labels[i];
   }
 
-private:
-  /** \brief Seeds, given or proposed, and the groups of the whole cloud. */
-  SeedProposal
-  groupPoints();
+  /** \brief Seeds correct the last segment(): they join its seeds, which are given ones
+   *  (getSeeds()) from now on. The next segment() gives the result, at no more cost. (A
+   *  subsample is drawn again with the seeds in it: then the cost is that of a whole
+   *  run.)
+   *  \param[in] seeds finite, selected points that are no seeds yet
+   *  \param[in] labels one for each
+   *  \throws CIDException when nothing was segmented yet, for seeds that cannot be, and
+   *  then changes nothing; CIDCancelled */
+  void
+  addSeeds(const pcl::Indices& seeds, const std::vector<std::uint32_t>& labels);
 
+  /** \brief Seeds of the last segment() are taken away, as addSeeds() adds them; at
+   *  least one must remain.
+   *  \param[in] seeds indices of the input cloud */
+  void
+  removeSeeds(const pcl::Indices& seeds);
+
+  /** \brief A seed of the last segment() gets another label; no group changes.
+   *  \param[in] seed an index of the input cloud */
+  void
+  setLabel(pcl::index_t seed, std::uint32_t label);
+
+private:
   std::vector<std::uint32_t>
   labelsOfSeeds(const pcl::Indices& seeds) const;
+
+  /** \brief The number of a seed of the last segment().
+   *  \throws CIDException when it is none */
+  std::size_t
+  numberOfSeed(pcl::index_t seed) const;
+
+  /** \brief Change the seeds of the result, which become those of the settings.
+   *  \param[in] seeds,labels all of them, as they will be
+   *  \param[in] change called with the grouping and how to run */
+  template <typename Change>
+  void
+  correct(pcl::Indices seeds, std::vector<std::uint32_t> labels, const Change& change);
 
   pcl::Indices seeds_;
   std::vector<std::uint32_t> seed_labels_;
   Annotator annotator_;
-  bool keep_cid_ = false;
-  SeedProposal proposal_;
+  std::vector<std::uint32_t> result_labels_; ///< of the seeds of the last segment()
 };
 
 } // namespace pcl_cid

@@ -11,8 +11,6 @@
 
 #include <pcl_cid/cid_base.h>
 
-#include <memory>
-
 namespace pcl_cid {
 
 /** \brief Seeds by farthest-first sampling in CID (CID-FPS, Algorithm 1 of the paper),
@@ -35,9 +33,10 @@ namespace pcl_cid {
 template <typename PointT>
 class CIDSampler : public CIDBase<PointT> {
 public:
-  using typename CIDBase<PointT>::PointCloudConstPtr;
   using Ptr = pcl::shared_ptr<CIDSampler<PointT>>;
   using ConstPtr = pcl::shared_ptr<const CIDSampler<PointT>>;
+
+  CIDSampler() { this->setKeepCIDs(true); }
 
   /** \brief Run Algorithm 1.
    *  \param[out] seeds indices of the input cloud, in the order they were chosen
@@ -46,34 +45,14 @@ public:
   sample(pcl::Indices& seeds);
 
   /** \brief Go on where the last sample() ended, at the cost of the new seeds only: an
-   *  annotator asks for ten more. The result is that of one sample() with all of them.
+   *  annotator asks for ten more. The result is that of one sample() with all of them;
+   *  getNumberOfSeeds() stays what it is.
    *  \param[in] number_of_seeds K, all in all
    *  \param[out] seeds all of them
-   *  \throws CIDException when nothing was sampled yet, or the input cloud, the
-   *  number of samples or a setting for raw scans (see RawScanSettings) is another by
-   *  now; indices, surface, colours, candidates and subsample stay those of the
-   *  sample() */
+   *  \throws CIDException when nothing was sampled yet, or when the number of samples,
+   *  the seeding rule, the input or a setting of the preparation has been set since */
   void
   extend(int number_of_seeds, pcl::Indices& seeds);
-
-  /** \brief Seeds, groups and coverage of the last sample(); indices of the input
-   *  cloud, groups and CIDs for each of its points. */
-  const SeedProposal&
-  getProposal() const
-  {
-    return proposal_;
-  }
-
-private:
-  void
-  publish(pcl::Indices& seeds);
-
-  std::shared_ptr<const Preparation> prepared_; ///< of the last sample()
-  PointCloudConstPtr sampled_;                  ///< its input
-  int sampled_with_ = 0;                        ///< its M
-  RawScanSettings sampled_as_;
-  SeedProposal working_proposal_; ///< its result on the working set
-  SeedProposal proposal_;
 };
 
 } // namespace pcl_cid

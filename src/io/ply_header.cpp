@@ -8,6 +8,7 @@
  */
 
 #include "ply_header.h"
+#include <pcl_cid/exceptions.h>
 #include "base/sentence.h"
 #include "field_values.h"
 

@@ -35,8 +35,7 @@ struct Measurement {
 /** \brief Run \a measure in a child of this process and wait for it.
  *
  *  A child begins with the memory of its parent, the cloud in it, and with nothing that
- *  an earlier measurement left behind: no warm heap, no threads. The parent must not
- *  have used OpenMP, whose threads do not survive a fork.
+ *  an earlier measurement left behind: no warm heap, no threads.
  *  \param[in] measure fills in everything but peak_bytes
  *  \throws std::runtime_error when the child fails; it has then written why to the
  *  standard error */

@@ -13,8 +13,8 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/group_merging.h>
-#include <pcl_cid/core/random.h>
-#include <pcl_cid/core/seed_proposal.h>
+#include "base/random.h"
+#include <pcl_cid/core/grouping.h>
 #include <pcl_cid/io/labelled_cloud.h>
 
 #include <benchmark/benchmark.h>

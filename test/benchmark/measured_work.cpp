@@ -16,8 +16,8 @@
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/cid_sampler.h>
 #include <pcl_cid/core/group_merging.h>
-#include <pcl_cid/core/preparation.h>
-#include <pcl_cid/core/random.h>
+#include <pcl_cid/core/prepared_scan.h>
+#include "base/random.h"
 #include <pcl_cid/io/labelled_cloud.h>
 
 #include <algorithm>

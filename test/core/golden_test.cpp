@@ -11,7 +11,7 @@
 #include "oracle.h"
 
 #include <pcl_cid/core/group_merging.h>
-#include <pcl_cid/core/seed_proposal.h>
+#include <pcl_cid/core/grouping.h>
 
 #include <fstream>
 

@@ -9,7 +9,7 @@
 
 #include "cloud_files.h"
 
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 #include <filesystem>
 

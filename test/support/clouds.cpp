@@ -9,7 +9,7 @@
 
 #include "clouds.h"
 
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 #include <algorithm>
 #include <filesystem>

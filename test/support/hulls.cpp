@@ -10,8 +10,8 @@
 #include "hulls.h"
 
 #include <pcl_cid/core/hull_guarantees.h>
-#include <pcl_cid/core/random.h>
-#include <pcl_cid/core/seed_proposal.h>
+#include "base/random.h"
+#include <pcl_cid/core/grouping.h>
 
 #include <cmath>
 #include <numeric>

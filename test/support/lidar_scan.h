@@ -18,7 +18,7 @@
 #include <Eigen/Geometry>
 
 #include <pcl_cid/core/point_set.h>
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 namespace pcl_cid::test {
 

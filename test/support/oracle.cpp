@@ -9,7 +9,7 @@
 
 #include "oracle.h"
 
-#include <pcl_cid/core/soft_draw.h>
+#include "grouping/soft_draw.h"
 
 #include <pcl_cid/core/concavity.h>
 

@@ -14,7 +14,7 @@
 
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/point_set.h>
-#include <pcl_cid/core/seed_proposal.h>
+#include <pcl_cid/core/grouping.h>
 
 #include <Eigen/Core>
 

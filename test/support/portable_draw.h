@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 namespace pcl_cid::test {
 

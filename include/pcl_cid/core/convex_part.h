@@ -11,6 +11,7 @@
 
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/point_set.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <array>
@@ -42,17 +43,17 @@ struct ConvexPartOptions {
    *  wall is one) are thickened, symmetric about their points. A hull cannot be thinner
    *  than 1e-5 of its diagonal, nor than 1e-10 of its coordinates, so that is the least
    *  when it is more. */
-  double min_thickness = 0.005;
+  double min_thickness = setting::min_thickness.initial;
   /** Most vertices of a hull, at least 4; 0 for any number. A hull with more is
    * replaced by a simpler body around it. */
-  std::size_t max_vertices = 0;
+  std::size_t max_vertices = setting::max_vertices.initial;
   /** How far a hull reaches beyond the one without padding, at least, in all
    * directions: metres, 0 or more. At most it is sqrt(3) times as far. */
-  double padding = 0.0;
+  double padding = setting::padding.initial;
   /** Points of a part are linked when they are at most so far apart, metres; those that
    *  no links join to the bulk of the part are trimmed. 0: none is. A few times the
    *  spacing of the points. */
-  double trim_distance = 0.0;
+  double trim_distance = setting::trim_distance.initial;
 };
 
 /** \brief Refuse options that are out of their range.
@@ -91,7 +92,7 @@ struct ConvexPart {
  *
  *  Stray points: the links of `trim_distance` make clusters; a cluster is trimmed when
  *  the largest one has more than 100 times its points.
- *  \param[in] points local points with their origin and their indices in the input
+ *  \param[in] points local points with their frame and their indices in the input
  *  \param[in] members positions in \a points of the part's points; at least 1
  *  \param[in] options see ConvexPartOptions
  *  \throws CIDException when the part is empty or an option is out of its range
@@ -104,7 +105,7 @@ makeConvexPart(const PointSet& points,
                const ConvexPartOptions& options);
 
 /** \brief The hulls of all parts, part numbers ascending.
- *  \param[in] points local points with their origin and their indices in the input
+ *  \param[in] points local points with their frame and their indices in the input
  *  \param[in] part number of the part of each of \a points, -1 for none; every number
  *  from 0 to the largest occurs
  *  \param[in] options see ConvexPartOptions

@@ -17,8 +17,16 @@
 #include <memory>
 #include <mutex>
 
-#include <pcl/point_types.h>
-#include <pcl/search/search.h>
+#include <pcl/memory.h>
+#include <pcl/types.h>
+
+namespace pcl {
+struct PointXYZ;
+namespace search {
+template <typename PointT>
+class Search;
+} // namespace search
+} // namespace pcl
 
 namespace pcl_cid {
 
@@ -47,11 +55,12 @@ public:
   /** \brief Who answers nearest-neighbour queries. It is given the surface with
    *  setInputCloud(), must be exact, and safe for concurrent queries. */
   using Search = pcl::search::Search<pcl::PointXYZ>;
+  using SearchPtr = pcl::shared_ptr<Search>;
 
   struct Options {
     /** Answers where the grid does not, and nearest(). Null: the tree of the grid, and
      *  pcl::search::KdTree, which is pcl::KdTreeFLANN, for nearest(). */
-    Search::Ptr search;
+    SearchPtr search;
     /** Bytes that the grid may take; 0 for a quarter of the machine's memory. Less
      *  memory makes queries slower and changes no answer. */
     std::size_t memory_budget = 0;
@@ -123,7 +132,7 @@ private:
   std::unique_ptr<BlockTree> tree_;
   std::unique_ptr<DistanceGrid> grid_;
   bool has_own_search_; ///< a search method was given
-  mutable Search::Ptr search_;
+  mutable SearchPtr search_;
   mutable std::once_flag search_ready_; ///< pcl::KdTreeFLANN is built when first asked
 };
 

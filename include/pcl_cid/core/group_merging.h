@@ -9,9 +9,9 @@
 
 #pragma once
 
-#include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/execution.h>
-#include <pcl_cid/core/pair_cost.h>
+#include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <algorithm>
@@ -20,8 +20,6 @@
 #include <limits>
 #include <string>
 #include <vector>
-
-#include <pcl/types.h>
 
 namespace pcl_cid {
 
@@ -41,7 +39,7 @@ struct MergeStep {
  *  tree itself proposes. */
 struct MergeCut {
   enum class Rule {
-    elbow,    ///< where merges begin to get dear: cutAtElbow()
+    elbow,    ///< before the merges become expensive: cutAtElbow()
     merges,   ///< after `count` merges (T)
     parts,    ///< when `count` parts remain (K')
     threshold ///< when the smallest CID_g exceeds `height` metres
@@ -109,8 +107,8 @@ public:
   std::vector<int>
   cutAtHeight(double threshold) const;
 
-  /** \brief The part of each group where the tree itself bends (*ours*): after merges
-   *  that cost little more than the first one, before those that cost ever more.
+  /** \brief The part of each group where the tree itself bends (*ours*): after the
+   * merges that cost little more than the first one, before those whose cost climbs.
    *
    *  Drawn over their number, the heights of the merges rise slowly while groups of one
    *  convex piece come together, and steeply once the pieces themselves have to. The
@@ -134,25 +132,26 @@ private:
   double known_height_ = std::numeric_limits<double>::infinity();
 };
 
-/** \brief How CID_g is estimated. */
-struct GroupMergingOptions {
+/** \brief How CID_g is estimated, and how far the merges go. */
+struct MergingSettings {
   /** Points drawn from each group (G' in the paper), at least 1. The CID_g of two
    *  groups is the mean of as many pairs, or of all of them where there are no more:
    *  then it is exact. */
-  std::size_t group_samples = 32;
-  /** M: samples on a segment, min_samples to max_samples. */
-  int samples = 100;
-  /** What the pairs of points cost: CID_g is the mean of that; null means their CIDs.
-   * It must outlive the call. */
-  const PairCosts* costs = nullptr;
-  /** Seed of the draw. */
-  std::uint64_t random_seed = 0;
+  std::size_t group_samples = setting::group_samples.initial;
   /** Where Algorithm 2 stops: when so many parts remain, at least 1, or when the
    *  smallest CID_g exceeds so many metres. The defaults make the whole tree, for which
    *  the CID_g of every pair is computed; a tree that stops early leaves most of them
    *  out. */
   std::size_t stop_at_parts = 1;
   double stop_at_height = std::numeric_limits<double>::infinity();
+
+  bool
+  operator==(const MergingSettings& other) const
+  {
+    return group_samples == other.group_samples &&
+           stop_at_parts == other.stop_at_parts &&
+           stop_at_height == other.stop_at_height;
+  }
 
   /** \brief Whether all merges are made. */
   bool
@@ -175,7 +174,6 @@ struct GroupMergingOptions {
     else if (cut.rule == MergeCut::Rule::merges)
       stop_at_parts = groups - std::min(cut.count, groups - 1);
   }
-  ExecutionOptions execution;
 };
 
 /** \brief Algorithm 2 (group merging), run to the end or to the stop asked for.
@@ -184,24 +182,20 @@ struct GroupMergingOptions {
  *  spread over all of it, each in one pair for every other group (*ours*; Eq. 4 takes
  *  all pairs of random points, and is farther from Eq. 3 with eight times as many). A
  *  merge replaces two rows by their mean weighted with the true group sizes
- *  (Lance-Williams), which is what computing CID_g again would give.
- *  Equal CID_g: the pair of lowest numbers first.
- *  \param[in] field the surface S
- *  \param[in] points the grouped points, in the frame of the surface
- *  \param[in] group number of the group of each point, 0 to groups - 1; -1 for none
- *  \param[in] groups K; every group has at least 1 point
- *  \param[in] options sampling, threads, progress
- *  \throws CIDException for a setting out of its range or an empty group, CIDCancelled
- *  A pair of groups is compared exactly only when the next merge depends on it;
- *  certified lower bounds hold the others back (*ours*).
+ *  (Lance-Williams), which is what computing CID_g again would give. A pair of groups
+ * is compared exactly only when the next merge depends on it; certified lower bounds
+ * hold the others back (*ours*). Equal CID_g: the pair of lowest numbers first.
+ *  \param[in] grouping its groups, M, costs and random seed; at least 1 seed. Sizes
+ *  count the points that are worked on: those of the subsample where one was drawn
+ *  \param[in] settings see MergingSettings
+ *  \param[in] execution threads and progress; never change the result
+ *  \throws CIDException for a setting out of its range, without seeds, or when a group
+ *  has no point; CIDCancelled
  *  \note Cost: at most K^2 / 2 x group_samples CID evaluations, for the whole tree,
- *  O(K^2 log K), and O(N log group_samples) for the draw. O(K^2) memory. Same result
- *  for every number of threads. */
+ *  O(K^2 log K), and O(N log group_samples) for the draw. O(K^2) memory. */
 PCL_CID_EXPORT MergeTree
-mergeGroups(const DistanceField& field,
-            const Points& points,
-            const std::vector<pcl::index_t>& group,
-            std::size_t groups,
-            const GroupMergingOptions& options);
+mergeGroups(const Grouping& grouping,
+            const MergingSettings& settings = {},
+            const ExecutionOptions& execution = {});
 
 } // namespace pcl_cid

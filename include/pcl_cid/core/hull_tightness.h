@@ -13,9 +13,12 @@
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/point_set.h>
+#include <pcl_cid/core/prepared_scan.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -28,7 +31,7 @@ class Progress;
 struct TightnessOptions {
   /** Space that is farther than this from every point of the scan counts as free:
    *  metres, above 0. Choose it above the gaps between the points. */
-  double free_distance = 0.05;
+  double free_distance = setting::free_distance.initial;
   /** Samples on the surface of each hull, and as many inside: at least 1. */
   std::size_t hull_samples = 4096;
   /** Samples in the bounding box of the scan: at least 1. */
@@ -82,6 +85,11 @@ public:
    *  \note Cost: that of a DistanceField, and a query for each box sample. */
   TightnessMeter(const PointSet& scan, const TightnessOptions& options);
 
+  /** \brief The same for all points of a prepared scan, whose field serves, too, where
+   *  its surface is these points.
+   *  \param[in] scan not null */
+  TightnessMeter(const PreparedScan::ConstPtr& scan, const TightnessOptions& options);
+
   /** \brief The figures of hulls in the frame of the input cloud of the scan.
    *  \throws CIDCancelled
    *  \note Cost: 2 `hull_samples` queries for each hull, and a test of each box sample
@@ -90,6 +98,10 @@ public:
   measure(const std::vector<ConvexPart>& parts) const;
 
 private:
+  TightnessMeter(const PointSet& scan,
+                 std::shared_ptr<const DistanceField> field,
+                 const TightnessOptions& options);
+
   bool
   isFree(const Eigen::Vector3d& local) const;
 
@@ -105,9 +117,9 @@ private:
                Tightness& tightness) const;
 
   TightnessOptions options_;
-  Eigen::Vector3d origin_;
+  Frame frame_;
   Eigen::AlignedBox3d box_;
-  DistanceField field_;
+  std::shared_ptr<const DistanceField> field_;
   std::vector<unsigned char> box_sample_is_free_;
 };
 

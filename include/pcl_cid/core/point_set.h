@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/frame.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
@@ -32,8 +33,8 @@ using Points = std::vector<Eigen::Vector3f>;
  *  exact. */
 struct PCL_CID_EXPORT PointSet {
   /** What was subtracted. */
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /** Finite points, relative to the origin, in the order of the input. */
+  Frame frame;
+  /** Finite points, in the frame, in the order of the input. */
   Points points;
   /** Index in the input cloud of each of the points. */
   pcl::Indices source;
@@ -45,9 +46,9 @@ struct PCL_CID_EXPORT PointSet {
    *  \param[in] source index in the input cloud of each; same size */
   PointSet(Points coordinates, pcl::Indices source);
 
-  /** \brief Keep the finite points, relative to a given origin: that of the surface
-   *  that they are measured against. */
-  PointSet(Points coordinates, pcl::Indices source, const Eigen::Vector3d& origin);
+  /** \brief Keep the finite points, in a given frame: that of the surface that they are
+   *  measured against. */
+  PointSet(Points coordinates, pcl::Indices source, const Frame& frame);
 
   std::size_t
   size() const

@@ -35,7 +35,7 @@ coordinates(const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices)
   return points;
 }
 
-/** \brief The colour of a point with `rgb` or `rgba`, whichever it is registered with.
+/** \brief The color of a point with `rgb` or `rgba`, whichever it is registered with.
  */
 template <typename PointT>
 ColorRGB
@@ -47,7 +47,7 @@ colorOf(const PointT& point)
                          pcl::fields::rgba>;
   static_assert(sizeof(typename pcl::traits::datatype<PointT, Tag>::type) ==
                     sizeof(std::uint32_t),
-                "pcl_cid needs colours of 4 bytes, packed as PCL packs them");
+                "pcl_cid needs colors of 4 bytes, packed as PCL packs them");
   std::uint32_t packed;
   std::memcpy(&packed,
               reinterpret_cast<const char*>(&point) +
@@ -60,29 +60,58 @@ colorOf(const PointT& point)
 
 template <typename PointT>
 void
-CIDBase<PointT>::beginCompute()
+CIDBase<PointT>::setInputCloud(const PointCloudConstPtr& cloud)
 {
-  if (!input_)
-    throw CIDException("there is no input cloud; call setInputCloud first");
-  if (!initCompute())
-    throw CIDException("the input cloud and its indices do not fit together");
-  for (const pcl::index_t index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-      throw CIDException("the indices hold " + std::to_string(index) +
-                         "; they must be 0 to " + std::to_string(input_->size()) +
-                         " - 1 (the points of the input cloud)");
+  Base::setInputCloud(cloud);
+  forgetScan();
 }
 
 template <typename PointT>
-PointSet
-CIDBase<PointT>::gatherPoints() const
+void
+CIDBase<PointT>::setIndices(const pcl::IndicesPtr& indices)
 {
-  pcl::Indices selected = *indices_;
-  if (!std::is_sorted(selected.begin(), selected.end()))
-    std::sort(selected.begin(), selected.end());
-  selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
-  Points points = detail::coordinates(*input_, selected);
-  return PointSet(std::move(points), std::move(selected));
+  Base::setIndices(indices);
+  forgetScan();
+}
+
+template <typename PointT>
+void
+CIDBase<PointT>::setIndices(const pcl::IndicesConstPtr& indices)
+{
+  Base::setIndices(indices);
+  forgetScan();
+}
+
+template <typename PointT>
+void
+CIDBase<PointT>::setIndices(const PointIndicesConstPtr& indices)
+{
+  Base::setIndices(indices);
+  forgetScan();
+}
+
+template <typename PointT>
+void
+CIDBase<PointT>::setIndices(std::size_t row_start,
+                            std::size_t col_start,
+                            std::size_t nb_rows,
+                            std::size_t nb_cols)
+{
+  Base::setIndices(row_start, col_start, nb_rows, nb_cols);
+  forgetScan();
+}
+
+template <typename PointT>
+auto
+CIDBase<PointT>::preparedInput() const -> const PointCloud&
+{
+  if (!input_)
+    throw CIDException("there is no input cloud; call setInputCloud first");
+  if (getPreparedScan() && getPreparedScan()->cloudSize() != input_->size())
+    throw CIDException("the input cloud has " + std::to_string(input_->size()) +
+                       " points; it must be the one that was prepared, which has " +
+                       std::to_string(getPreparedScan()->cloudSize()));
+  return *input_;
 }
 
 template <typename PointT>
@@ -95,7 +124,7 @@ CIDBase<PointT>::gatherColors(const PointSet& points) const
   const ColorsConstPtr given = getColors();
   if (given && given->size() != input_->size())
     throw CIDException("there are " + std::to_string(given->size()) +
-                       " colours; there must be one for each of the " +
+                       " colors; there must be one for each of the " +
                        std::to_string(input_->size()) + " points of the input cloud");
   colors.reserve(points.size());
   for (const pcl::index_t source : points.source) {
@@ -114,12 +143,12 @@ CIDBase<PointT>::gatherColors(const PointSet& points) const
 
 template <typename PointT>
 std::optional<SensorPose>
-CIDBase<PointT>::sensorPose(const Eigen::Vector3d& origin) const
+CIDBase<PointT>::sensorPose(const Frame& frame) const
 {
   const Eigen::Vector3d position =
       input_->sensor_origin_.template head<3>().template cast<double>();
   SensorPose pose;
-  pose.position = (position - origin).template cast<float>();
+  pose.position = frame.toLocal(position).template cast<float>();
   pose.down = (input_->sensor_orientation_.normalized() * pose.down).normalized();
   if (!pose.position.allFinite() || !pose.down.allFinite())
     return std::nullopt;
@@ -127,28 +156,51 @@ CIDBase<PointT>::sensorPose(const Eigen::Vector3d& origin) const
 }
 
 template <typename PointT>
-Preparation
-CIDBase<PointT>::prepareCompute(const pcl::Indices& given_seeds)
+pcl::Indices
+CIDBase<PointT>::selectedPoints() const
 {
-  beginCompute();
+  if (!input_)
+    throw CIDException("there is no input cloud; call setInputCloud first");
+  pcl::Indices selected;
+  if (use_indices_ && indices_)
+    selected = *indices_;
+  else {
+    selected.resize(input_->size());
+    std::iota(selected.begin(), selected.end(), 0);
+  }
+  for (const pcl::index_t index : selected)
+    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
+      throw CIDException("the indices hold " + std::to_string(index) +
+                         "; they must be 0 to " + std::to_string(input_->size()) +
+                         " - 1 (the points of the input cloud)");
+  if (!std::is_sorted(selected.begin(), selected.end()))
+    std::sort(selected.begin(), selected.end());
+  selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
+  return selected;
+}
+
+template <typename PointT>
+RawScan
+CIDBase<PointT>::gatherScan() const
+{
+  pcl::Indices selected = selectedPoints();
   RawScan scan;
-  scan.points = gatherPoints();
-  const Eigen::Vector3d origin = scan.points.origin;
+  Points points = detail::coordinates(*input_, selected);
+  scan.points = PointSet(std::move(points), std::move(selected));
+  scan.cloud_size = input_->size();
   if (search_surface_) {
     pcl::Indices all(search_surface_->size());
     std::iota(all.begin(), all.end(), 0);
-    scan.surface.given =
-        PointSet(detail::coordinates(*search_surface_, all), all, origin).points;
-    if (scan.surface.given.empty())
+    scan.surface =
+        PointSet(detail::coordinates(*search_surface_, all), all, scan.points.frame)
+            .points;
+    if (scan.surface.empty())
       throw CIDException(
           "the search surface has no finite point; at least 1 is needed");
   }
   scan.colors = gatherColors(scan.points);
-  scan.sensor = sensorPose(origin);
-  Preparation ready = prepare(std::move(scan), given_seeds, *this, execution(0.0, 0.0));
-  blind_spot_ = ready.blind_spot;
-  density_decision_ = ready.density;
-  return ready;
+  scan.sensor = sensorPose(scan.points.frame);
+  return scan;
 }
 
 } // namespace pcl_cid

@@ -10,9 +10,11 @@
 #pragma once
 
 #include <pcl_cid/cid_label_propagation.h>
-#include <pcl_cid/impl/cid_base.hpp>
 
+#include <algorithm>
 #include <map>
+#include <string>
+#include <utility>
 
 namespace pcl_cid {
 
@@ -52,19 +54,6 @@ CIDLabelPropagation<PointT>::clearSeeds()
 }
 
 template <typename PointT>
-SeedProposal
-CIDLabelPropagation<PointT>::groupPoints()
-{
-  const Preparation ready = this->prepareCompute(seeds_);
-  const ExecutionOptions execution = this->execution(0.0, 1.0);
-  const SeedProposal proposal =
-      seeds_.empty()
-          ? propose(ready, *this, keep_cid_, execution, "CIDLabelPropagation::segment")
-          : group(ready, *this, keep_cid_, execution);
-  return ready.working->carryOn(proposal, this->input_->size());
-}
-
-template <typename PointT>
 std::vector<std::uint32_t>
 CIDLabelPropagation<PointT>::labelsOfSeeds(const pcl::Indices& seeds) const
 {
@@ -82,34 +71,106 @@ void
 CIDLabelPropagation<PointT>::segment(std::vector<std::uint32_t>& labels)
 {
   labels.clear();
-  proposal_ = SeedProposal();
-  SeedProposal proposal = groupPoints();
-  const std::vector<std::uint32_t> of_seed = labelsOfSeeds(proposal.seeds);
+  result_labels_.clear();
+  const ExecutionOptions execution = this->execution(0.0, 1.0);
+  if (seeds_.empty())
+    this->proposeSeeds("CIDLabelPropagation::segment", execution);
+  else
+    this->groupBySeeds(seeds_, execution);
+  const SeedProposal& proposal = this->getProposal();
+  result_labels_ = labelsOfSeeds(proposal.seeds);
   labels.resize(proposal.group.size(), 0);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (proposal.group[i] >= 0)
-      labels[i] = of_seed[static_cast<std::size_t>(proposal.group[i])];
-  proposal_ = std::move(proposal);
-  this->deinitCompute();
+      labels[i] = result_labels_[static_cast<std::size_t>(proposal.group[i])];
+}
+
+template <typename PointT>
+std::size_t
+CIDLabelPropagation<PointT>::numberOfSeed(pcl::index_t seed) const
+{
+  const pcl::Indices& seeds = this->getProposal().seeds;
+  const auto found = std::find(seeds.begin(), seeds.end(), seed);
+  if (found == seeds.end())
+    throw CIDException("point " + std::to_string(seed) + " is none of the " +
+                       std::to_string(seeds.size()) +
+                       " seeds of the last result; it must be one");
+  return static_cast<std::size_t>(found - seeds.begin());
+}
+
+template <typename PointT>
+template <typename Change>
+void
+CIDLabelPropagation<PointT>::correct(pcl::Indices seeds,
+                                     std::vector<std::uint32_t> labels,
+                                     const Change& change)
+{
+  const ExecutionOptions execution = this->execution(0.0, 1.0);
+  if (this->getSubsample() > 0)
+    this->groupBySeeds(seeds, execution);
+  else {
+    const std::shared_ptr<Grouping> grouping = this->changeableGrouping();
+    change(*grouping, execution);
+    this->publish(grouping, execution);
+  }
+  seeds_ = std::move(seeds);
+  seed_labels_ = labels;
+  result_labels_ = std::move(labels);
 }
 
 template <typename PointT>
 void
-CIDLabelPropagation<PointT>::segment(pcl::PointCloud<pcl::PointXYZL>& labelled)
+CIDLabelPropagation<PointT>::addSeeds(const pcl::Indices& seeds,
+                                      const std::vector<std::uint32_t>& labels)
 {
-  labelled.clear();
-  std::vector<std::uint32_t> labels;
-  segment(labels);
-  const auto& input = *this->input_;
-  labelled.header = input.header;
-  labelled.sensor_origin_ = input.sensor_origin_;
-  labelled.sensor_orientation_ = input.sensor_orientation_;
-  labelled.reserve(input.size());
-  for (std::size_t i = 0; i < input.size(); ++i)
-    labelled.emplace_back(input[i].x, input[i].y, input[i].z, labels[i]);
-  labelled.width = input.width;
-  labelled.height = input.height;
-  labelled.is_dense = input.is_dense;
+  if (result_labels_.empty() || !this->getGrouping())
+    throw CIDException("there is no result to correct; call segment first");
+  if (seeds.size() != labels.size())
+    throw CIDException("there are " + std::to_string(seeds.size()) + " seeds and " +
+                       std::to_string(labels.size()) +
+                       " labels; there must be a label for each");
+  pcl::Indices all = this->getProposal().seeds;
+  all.insert(all.end(), seeds.begin(), seeds.end());
+  std::vector<std::uint32_t> all_labels = result_labels_;
+  all_labels.insert(all_labels.end(), labels.begin(), labels.end());
+  correct(std::move(all),
+          std::move(all_labels),
+          [&](Grouping& grouping, const ExecutionOptions& execution) {
+            grouping.addSeeds(seeds, execution);
+          });
+}
+
+template <typename PointT>
+void
+CIDLabelPropagation<PointT>::removeSeeds(const pcl::Indices& seeds)
+{
+  std::vector<std::size_t> numbers;
+  for (const pcl::index_t seed : seeds)
+    numbers.push_back(numberOfSeed(seed));
+  pcl::Indices left;
+  std::vector<std::uint32_t> left_labels;
+  for (std::size_t k = 0; k < result_labels_.size(); ++k)
+    if (std::find(numbers.begin(), numbers.end(), k) == numbers.end()) {
+      left.push_back(this->getProposal().seeds[k]);
+      left_labels.push_back(result_labels_[k]);
+    }
+  if (left.empty())
+    throw CIDException("all seeds would be taken away; at least 1 must remain");
+  correct(std::move(left),
+          std::move(left_labels),
+          [&](Grouping& grouping, const ExecutionOptions& execution) {
+            grouping.removeSeeds(numbers, execution);
+          });
+}
+
+template <typename PointT>
+void
+CIDLabelPropagation<PointT>::setLabel(pcl::index_t seed, std::uint32_t label)
+{
+  const std::size_t number = numberOfSeed(seed);
+  result_labels_[number] = label;
+  seeds_ = this->getProposal().seeds;
+  seed_labels_ = result_labels_;
 }
 
 } // namespace pcl_cid

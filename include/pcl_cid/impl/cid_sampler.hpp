@@ -10,9 +10,6 @@
 #pragma once
 
 #include <pcl_cid/cid_sampler.h>
-#include <pcl_cid/impl/cid_base.hpp>
-
-#include <string>
 
 namespace pcl_cid {
 
@@ -21,17 +18,8 @@ void
 CIDSampler<PointT>::sample(pcl::Indices& seeds)
 {
   seeds.clear();
-  proposal_ = SeedProposal();
-  prepared_.reset();
-  auto prepared = std::make_shared<const Preparation>(this->prepareCompute({}));
-  working_proposal_ =
-      propose(*prepared, *this, true, this->execution(0.0, 1.0), "CIDSampler::sample");
-  prepared_ = std::move(prepared);
-  sampled_ = this->input_;
-  sampled_with_ = this->getNumberOfSamples();
-  sampled_as_ = this->getRawScanSettings();
-  publish(seeds);
-  this->deinitCompute();
+  this->proposeSeeds("CIDSampler::sample", this->execution(0.0, 1.0));
+  seeds = this->getProposal().seeds;
 }
 
 template <typename PointT>
@@ -39,33 +27,8 @@ void
 CIDSampler<PointT>::extend(int number_of_seeds, pcl::Indices& seeds)
 {
   seeds.clear();
-  if (!prepared_ || sampled_ != this->input_)
-    throw CIDException("there is no sample of this input cloud to extend; call sample");
-  if (sampled_with_ != this->getNumberOfSamples())
-    throw CIDException("the number of samples on a segment has changed from " +
-                       std::to_string(sampled_with_) + " to " +
-                       std::to_string(this->getNumberOfSamples()) +
-                       "; what is extended must keep it");
-  if (!(sampled_as_ == this->getRawScanSettings()))
-    throw CIDException(
-        "the density weight or power, the isolated neighbours, the seeding "
-        "rule, the color weight or the filling of the blind spot has changed since "
-        "the sample; what is extended must keep them");
-  this->setNumberOfSeeds(number_of_seeds);
-  pcl_cid::extend(*prepared_,
-                  *this,
-                  this->execution(0.0, 1.0),
-                  "CIDSampler::extend",
-                  working_proposal_);
-  publish(seeds);
-}
-
-template <typename PointT>
-void
-CIDSampler<PointT>::publish(pcl::Indices& seeds)
-{
-  proposal_ = prepared_->working->carryOn(working_proposal_, this->input_->size());
-  seeds = proposal_.seeds;
+  this->extendSeeds(number_of_seeds, "CIDSampler::extend", this->execution(0.0, 1.0));
+  seeds = this->getProposal().seeds;
 }
 
 } // namespace pcl_cid

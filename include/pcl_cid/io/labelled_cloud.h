@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <pcl_cid/core/lab_color.h>
+#include <pcl_cid/core/color.h>
 #include <pcl_cid/core/point_set.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>

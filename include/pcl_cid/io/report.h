@@ -12,8 +12,8 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/hull_tightness.h>
-#include <pcl_cid/core/preparation.h>
-#include <pcl_cid/core/seed_proposal.h>
+#include <pcl_cid/core/prepared_scan.h>
+#include <pcl_cid/core/grouping.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 

@@ -4,28 +4,81 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Loops over ranges on several threads; the only file that names OpenMP.
+ * Loops over ranges on several threads; all that this library knows of threads.
  */
 
 #pragma once
 
 #include "progress.h"
 
-#include <omp.h>
-
 #include <algorithm>
+#include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <exception>
+#include <functional>
+#include <mutex>
+#include <vector>
 
 namespace pcl_cid {
 
-/** \brief The number of threads that a setting stands for (0: all that OpenMP
- *  offers). */
-inline int
-threadCount(unsigned int setting)
-{
-  return setting == 0 ? omp_get_max_threads() : static_cast<int>(setting);
-}
+/** \brief The number of threads that a setting stands for (0: one for each processor
+ *  that this process may run on). */
+int
+threadCount(unsigned int setting);
+
+/** \brief Threads that sleep until someone has work to share.
+ *
+ *  Nobody waits for a helper to come: on a busy machine it may come when the work is
+ *  done, or never. Nobody spins either; whoever waits leaves the processor to others.
+ */
+class Helpers {
+public:
+  /** \brief Starts a thread that runs a function; may throw. */
+  using Starter = std::function<void(std::function<void()>)>;
+
+  /** \brief Helpers that are started as they are asked for, and never end: what this
+   *  makes must outlive the process. */
+  explicit Helpers(Starter start);
+
+  /** \brief Those of this process; a child that it forks has its own. */
+  static Helpers&
+  ofProcess();
+
+  /** \brief Do \a work on this thread and, as they come, on \a helpers others.
+   *
+   *  Returns when this thread is through and so is every helper that has begun. May be
+   *  called from any thread, from within \a work as well.
+   *  \param[in] helpers how many may come; fewer do when no more can be started
+   *  \param[in] work returns when nothing is left to begin; must not throw */
+  void
+  share(std::size_t helpers, const std::function<void()>& work);
+
+private:
+  struct Job {
+    const std::function<void()>& work;
+    std::size_t wanted;             ///< helpers that may still come
+    std::size_t inside = 0;         ///< helpers that are at it
+    std::condition_variable left{}; ///< the last of them has gone
+  };
+
+  void
+  startMissing();
+
+  void
+  close(const Job& job);
+
+  void
+  help();
+
+  Starter start_;
+  std::mutex mutex_; ///< of everything below, jobs included
+  std::condition_variable asked_;
+  std::vector<Job*> jobs_; ///< those that want helpers; each belongs to its caller
+  std::size_t most_;       ///< never more helpers than this
+  std::size_t started_ = 0;
+  std::size_t busy_ = 0;
+};
 
 /** \brief Part of a longer work that one loop makes up, in fractions of that work. */
 struct ProgressSpan {
@@ -37,11 +90,12 @@ struct ProgressSpan {
  *
  *  Ranges are handed out as threads come free, so a body must write only to what its
  *  range owns; then the result is the same for any number of threads. Serial when one
- *  range covers everything.
+ *  range covers everything. A body may call this itself.
  *  \param[in] count number of items
  *  \param[in] grain items in a range, at least 1
  *  \param[in] threads as from threadCount()
- *  \param[in,out] progress polled by the calling thread between its ranges
+ *  \param[in,out] progress told of the ranges of its own thread; ends the loop when it
+ *  was cancelled
  *  \param[in] span the fractions that this loop stands for
  *  \param[in] body callable as void(std::size_t begin, std::size_t end)
  *  \throws CIDCancelled, and whatever \a body or the callback throws (the first of
@@ -56,15 +110,10 @@ parallelFor(std::size_t count,
             const Body& body)
 {
   const std::size_t ranges = (count + grain - 1) / grain;
-  const int team = static_cast<int>(
-      std::min<std::size_t>(static_cast<std::size_t>(threads), ranges));
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::exception_ptr failure;
-
-#pragma omp parallel num_threads(std::max(team, 1)) if (team > 1)
-  {
-    const bool reporter = omp_get_thread_num() == 0;
+  const auto work = [&] {
     while (!failed && !progress.cancelled()) {
       const std::size_t range = next++;
       if (range >= ranges)
@@ -72,18 +121,21 @@ parallelFor(std::size_t count,
       try {
         const std::size_t begin = range * grain;
         body(begin, std::min(begin + grain, count));
-        if (reporter)
-          progress.report(span.begin + (span.end - span.begin) *
-                                           static_cast<double>(range + 1) /
-                                           static_cast<double>(ranges));
+        progress.report(span.begin + (span.end - span.begin) *
+                                         static_cast<double>(range + 1) /
+                                         static_cast<double>(ranges));
       }
       catch (...) {
-#pragma omp critical(pcl_cid_parallel_for)
         if (!failed.exchange(true))
           failure = std::current_exception();
       }
     }
-  }
+  };
+  const std::size_t team = std::min(static_cast<std::size_t>(threads), ranges);
+  if (team > 1)
+    Helpers::ofProcess().share(team - 1, std::ref(work));
+  else
+    work();
   if (failure)
     std::rethrow_exception(failure);
   progress.check(span.end);

@@ -54,12 +54,12 @@ localOrigin(const Points& points)
 }
 
 void
-subtract(const Eigen::Vector3d& origin, Points& points)
+moveTo(const Frame& frame, Points& points)
 {
-  if (origin.isZero(0.0))
+  if (frame.origin.isZero(0.0))
     return;
   for (Eigen::Vector3f& p : points)
-    p = (p.cast<double>() - origin).cast<float>();
+    p = frame.toLocal(p.cast<double>()).cast<float>();
 }
 
 } // namespace
@@ -68,19 +68,17 @@ PointSet::PointSet(Points coordinates, pcl::Indices source_indices)
 : points(std::move(coordinates)), source(std::move(source_indices))
 {
   dropNotFinite(points, source);
-  origin = localOrigin(points);
-  subtract(origin, points);
+  frame.origin = localOrigin(points);
+  moveTo(frame, points);
 }
 
 PointSet::PointSet(Points coordinates,
                    pcl::Indices source_indices,
-                   const Eigen::Vector3d& given_origin)
-: origin(given_origin)
-, points(std::move(coordinates))
-, source(std::move(source_indices))
+                   const Frame& given_frame)
+: frame(given_frame), points(std::move(coordinates)), source(std::move(source_indices))
 {
   dropNotFinite(points, source);
-  subtract(origin, points);
+  moveTo(frame, points);
 }
 
 } // namespace pcl_cid

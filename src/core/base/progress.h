@@ -28,12 +28,13 @@ class Progress {
 public:
   explicit Progress(ProgressCallback callback) : callback_(std::move(callback)) {}
 
-  /** \brief Tell the callback, unless it was told a moment ago.
+  /** \brief Tell the callback, unless it was told a moment ago or this is another
+   *  thread.
    *  \param[in] fraction share of the work done, 0 to 1 */
   void
   report(double fraction)
   {
-    if (!callback_ || cancelled_)
+    if (!callback_ || cancelled_ || std::this_thread::get_id() != reporter_)
       return;
     const auto now = Clock::now();
     if (told_once_ && now - told_ < std::chrono::milliseconds(50) && fraction < 1.0)

@@ -45,12 +45,13 @@ cidFrom(const DistanceField& field,
 
   std::vector<float> cids(points.size());
   const auto visit = [&](std::size_t begin, std::size_t end) {
+    SegmentSearch search(field, order);
     std::size_t hint = order.last() / 2;
     for (std::size_t number = begin; number < end; ++number) {
       const PointBlock& block = tree.block(number);
       for (int row = 0; row < block.count; ++row)
-        cids[static_cast<std::size_t>(block.index[row])] = pointCID(
-            field, {p, block.point(row), false}, order, no_limit, hint); // Eq. 2
+        cids[static_cast<std::size_t>(block.index[row])] =
+            search.pointCID({p, block.point(row), false}, no_limit, hint); // Eq. 2
     }
   };
   parallelFor(tree.size(), grain, threads, progress, {tree_share, 1.0}, visit);

@@ -11,6 +11,7 @@
 #include "segment_search.h"
 
 #include <pcl_cid/core/concavity.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <limits>
@@ -73,8 +74,7 @@ largestDistance(const DistanceField& field,
   const float slack = roundingSlack(p, q, std::max(at_p, at_q) + length);
 
   float largest = std::max(at_p, at_q);
-  thread_local std::vector<Stretch> open;
-  open.clear();
+  std::vector<Stretch> open;
   const auto push = [&](int begin, int end, float at_begin, float at_end) {
     const float inside = step * static_cast<float>(end - begin);
     const float bound = lipschitzBound(at_begin, at_end, inside, slack);
@@ -99,15 +99,6 @@ largestDistance(const DistanceField& field,
   return largest;
 }
 
-const SampleOrder&
-orderOf(int samples)
-{
-  thread_local SampleOrder order(min_samples);
-  if (order.samples() != samples)
-    order = SampleOrder(samples);
-  return order;
-}
-
 } // namespace
 
 float
@@ -118,7 +109,8 @@ pointCID(const DistanceField& field,
          float limit)
 {
   std::size_t middle = static_cast<std::size_t>(samples) / 2;
-  return pointCID(field, {p, q, false}, orderOf(samples), limit, middle);
+  const SampleOrder order(samples);
+  return SegmentSearch(field, order).pointCID({p, q, false}, limit, middle);
 }
 
 float
@@ -149,12 +141,13 @@ groupCID(const DistanceField& field,
 {
   if (first.empty() || second.empty())
     throw CIDException("the CID of two groups needs at least 1 point in each of them");
-  const SampleOrder& order = orderOf(samples);
+  const SampleOrder order(samples);
+  SegmentSearch search(field, order);
   std::size_t hint = order.last() / 2;
   double sum = 0.0; // Eq. 3
   for (const Eigen::Vector3f& p : first)
     for (const Eigen::Vector3f& q : second)
-      sum += pointCID(field, {p, q, false}, order, infinity, hint);
+      sum += search.pointCID({p, q, false}, infinity, hint);
   return sum / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
 }
 

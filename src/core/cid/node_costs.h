@@ -11,7 +11,7 @@
 
 #include "field/block_tree.h"
 
-#include <pcl_cid/core/pair_cost.h>
+#include "pair_cost.h"
 
 #include <vector>
 

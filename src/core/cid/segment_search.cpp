@@ -26,56 +26,19 @@ constexpr float epsilon = std::numeric_limits<float>::epsilon();
 /** Levels of samples that the search for the largest distance begins with. */
 constexpr std::size_t first_levels = 3;
 
-/** The surface point that a look at a sample brought. */
-struct Look {
-  std::size_t sample;
-  Eigen::Vector3f point;
-  float distance; ///< of the two
-};
-
-/** The looks at a level. Memory is kept and never cleared: a level is often empty. */
-struct Looks {
-  std::vector<Look> memory;
-  std::size_t count = 0;
-
-  Look*
-  begin()
-  {
-    return memory.data();
-  }
-
-  Look*
-  end()
-  {
-    return memory.data() + count;
-  }
-};
-
-/** What a search keeps from call to call: there are millions of them. */
-struct Scratch {
-  Eigen::ArrayXf caps;
-  Looks looks;
-};
-
-Scratch&
-scratchOfThread()
-{
-  thread_local Scratch scratch;
-  return scratch;
-}
+} // namespace
 
 /** An upper bound of d at each sample of a segment, exact values where needed. */
-class SegmentSearch {
+class SearchOfSegment {
 public:
-  SegmentSearch(const DistanceField& field,
-                const Segment& segment,
-                const SampleOrder& order)
-  : field_(field)
+  SearchOfSegment(SegmentSearch& memory, const Segment& segment)
+  : field_(memory.field_)
   , segment_(segment)
-  , order_(order)
-  , samples_(segment.p, segment.q, order.samples())
+  , order_(memory.order_)
+  , samples_(segment.p, segment.q, order_.samples())
   , samples_a_metre_(1.0f / samples_.spacing)
-  , caps_(samples_, order, scratchOfThread().caps)
+  , caps_(samples_, order_, memory.caps_)
+  , looks_(memory.looks_)
   {
   }
 
@@ -105,7 +68,7 @@ public:
     }
     for (const SampleOrder::Level& level : order_.levels()) {
       lookUpAbove(level, target);
-      for (const Look& look : looks_)
+      for (const Look& look : found())
         if (reaches(look.sample, limit, target)) {
           hint = look.sample;
           return reached_;
@@ -117,7 +80,7 @@ public:
   /** An upper bound, from looks at the samples that may raise it; \a limit when some
    *  sample is that far from the surface. */
   float
-  bound(float limit, Tightness tightness, std::size_t& hint)
+  bound(float limit, UpperBound how, std::size_t& hint)
   {
     start(limit);
     lookUp(hint);
@@ -130,7 +93,7 @@ public:
     }
     for (const SampleOrder::Level& level : order_.levels()) {
       lookUpAbove(level, largest);
-      for (const Look& look : looks_) {
+      for (const Look& look : found()) {
         const bool reached = reaches(look.sample, limit, target);
         if (reached || orDistance(caps_[look.sample]) > largest)
           hint = look.sample;
@@ -139,7 +102,7 @@ public:
         largest = std::max(largest, orDistance(caps_[look.sample]));
       }
     }
-    if (tightness == Tightness::exact)
+    if (how == UpperBound::exact)
       return largestOfLooks();
     return std::sqrt(orDistance(caps_.largest())) * (1.0f + 4.0f * epsilon) +
            samples_.slack;
@@ -176,6 +139,32 @@ public:
   }
 
 private:
+  using Look = SegmentSearch::Look;
+
+  /** The looks of the last level. */
+  struct Looks {
+    Look* first;
+    Look* last;
+
+    Look*
+    begin() const
+    {
+      return first;
+    }
+
+    Look*
+    end() const
+    {
+      return last;
+    }
+  };
+
+  Looks
+  found()
+  {
+    return {looks_.data(), looks_.data() + found_};
+  }
+
   /** The largest distance, when looking has done what it can: evaluate the sample that
    *  may be the farthest, until none can be farther than the farthest so far. */
   float
@@ -209,17 +198,17 @@ private:
   void
   lookUpAbove(const SampleOrder::Level& level, float target)
   {
-    if (looks_.memory.size() < level.size())
-      looks_.memory.resize(level.size());
-    Look* kept = looks_.begin();
+    if (looks_.size() < level.size())
+      looks_.resize(level.size());
+    Look* kept = looks_.data();
     for (const std::size_t l : level) { // no branch to guess wrong
       kept->sample = l;
       kept += caps_[l] >= target;
     }
-    looks_.count = static_cast<std::size_t>(kept - looks_.begin());
-    for (Look& look : looks_)
+    found_ = static_cast<std::size_t>(kept - looks_.data());
+    for (Look& look : found())
       look = lookAt(look.sample);
-    for (const Look& look : looks_)
+    for (const Look& look : found())
       take(look);
   }
 
@@ -296,40 +285,29 @@ private:
   float aim_ = infinity;
   float largest_ = 0.0f; ///< of the exact distances so far
   float reached_ = 0.0f; ///< the last distance, or a lower bound of it
-  Looks& looks_ = scratchOfThread().looks;
+  std::vector<Look>& looks_;
+  std::size_t found_ = 0; ///< of them
 };
 
-} // namespace
-
 std::optional<float>
-findCIDAtLeast(const DistanceField& field,
-               const Segment& segment,
-               const SampleOrder& order,
-               float limit,
-               std::size_t& hint)
+SegmentSearch::findAtLeast(const Segment& segment, float limit, std::size_t& hint)
 {
-  return SegmentSearch(field, segment, order).findAtLeast(limit, hint);
+  return SearchOfSegment(*this, segment).findAtLeast(limit, hint);
 }
 
 float
-boundPointCID(const DistanceField& field,
-              const Segment& segment,
-              const SampleOrder& order,
-              float limit,
-              Tightness tightness,
-              std::size_t& hint)
+SegmentSearch::upperBound(const Segment& segment,
+                          float limit,
+                          UpperBound how,
+                          std::size_t& hint)
 {
-  return SegmentSearch(field, segment, order).bound(limit, tightness, hint);
+  return SearchOfSegment(*this, segment).bound(limit, how, hint);
 }
 
 float
-pointCID(const DistanceField& field,
-         const Segment& segment,
-         const SampleOrder& order,
-         float limit,
-         std::size_t& hint)
+SegmentSearch::pointCID(const Segment& segment, float limit, std::size_t& hint)
 {
-  SegmentSearch search(field, segment, order); // Eq. 2
+  SearchOfSegment search(*this, segment); // Eq. 2
   if (limit < infinity)
     if (const std::optional<float> found = search.findAtLeast(limit, hint))
       return *found;

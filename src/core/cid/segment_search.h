@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pcl_cid {
 
@@ -25,41 +26,55 @@ struct Segment {
   bool between_surface_points; ///< d is known to be 0 at both ends
 };
 
-/** \brief Whether the CID of a segment reaches a limit, which is cheaper than the CID.
- *  \param[in,out] hint the sample to look at first, since one that is far from the
- *  surface decides; on return the one that did, which is a good hint for the next
- *  segment close to this one
- *  \return at least \a limit and at most the CID; nothing when the CID is less */
-std::optional<float>
-findCIDAtLeast(const DistanceField& field,
-               const Segment& segment,
-               const SampleOrder& order,
-               float limit,
-               std::size_t& hint);
-
 /** \brief How small an upper bound shall be. */
-enum class Tightness {
-  looks, ///< exact distances only where they decide whether it is below a limit
+enum class UpperBound {
+  quick, ///< exact distances only where they decide whether it is below a limit
   exact, ///< the CID itself
 };
 
-/** \brief An upper bound of the CID of a segment; \a limit when the CID is not below
- *  that.
- *  \param[in,out] hint as for findCIDAtLeast() */
-float
-boundPointCID(const DistanceField& field,
-              const Segment& segment,
-              const SampleOrder& order,
-              float limit,
-              Tightness tightness,
-              std::size_t& hint);
+/** \brief Searches for the CID of segments, one after another, and keeps its memory
+ *  from one to the next: there are millions of them. It serves one thread.
+ *
+ *  A *hint* is the sample to look at first, since one that is far from the surface
+ *  decides; a search leaves there the one that did, which is a good hint for a segment
+ *  close to this one. It never changes a result. */
+class SegmentSearch {
+public:
+  /** \param[in] field the surface S; must outlive this
+   *  \param[in] order of the M samples; must outlive this */
+  SegmentSearch(const DistanceField& field, const SampleOrder& order)
+  : field_(field), order_(order)
+  {
+  }
 
-/** \brief pointCID() with the order of the samples at hand, and a hint. */
-float
-pointCID(const DistanceField& field,
-         const Segment& segment,
-         const SampleOrder& order,
-         float limit,
-         std::size_t& hint);
+  /** \brief Whether the CID reaches a limit, which is cheaper to find out than the CID.
+   *  \return at least \a limit and at most the CID; nothing when the CID is less */
+  std::optional<float>
+  findAtLeast(const Segment& segment, float limit, std::size_t& hint);
+
+  /** \brief An upper bound of the CID; \a limit when the CID is not below that. */
+  float
+  upperBound(const Segment& segment, float limit, UpperBound how, std::size_t& hint);
+
+  /** \brief The CID by Eq. 2 if it is below \a limit, else at least \a limit and at
+   *  most the CID. */
+  float
+  pointCID(const Segment& segment, float limit, std::size_t& hint);
+
+private:
+  friend class SearchOfSegment;
+
+  /** The surface point that a look at a sample brought. */
+  struct Look {
+    std::size_t sample;
+    Eigen::Vector3f point;
+    float distance; ///< of the two
+  };
+
+  const DistanceField& field_;
+  const SampleOrder& order_;
+  Eigen::ArrayXf caps_;
+  std::vector<Look> looks_; ///< as many as the largest level so far; never cleared
+};
 
 } // namespace pcl_cid

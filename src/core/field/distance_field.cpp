@@ -20,6 +20,7 @@
 #include <vector>
 
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 
 #include <unistd.h>
@@ -27,7 +28,7 @@
 namespace pcl_cid {
 namespace {
 
-DistanceField::Search::Ptr
+DistanceField::SearchPtr
 makeKdTree()
 {
   const auto tree = pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false);
@@ -125,8 +126,8 @@ DistanceField::bounds(const Eigen::Vector3f& x) const
 pcl::index_t
 DistanceField::nearest(const Eigen::Vector3f& x) const
 {
-  thread_local pcl::Indices index(1);
-  thread_local std::vector<float> squared_distance(1);
+  pcl::Indices index(1);
+  std::vector<float> squared_distance(1);
   const int found = search().nearestKSearch(
       pcl::PointXYZ(x.x(), x.y(), x.z()), 1, index, squared_distance);
   if (found != 1)

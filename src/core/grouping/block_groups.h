@@ -9,19 +9,19 @@
 
 #pragma once
 
+#include "soft_draw.h"
+
 #include "base/parallel_for.h"
-#include "cid/node_costs.h"
 #include "cid/segment_search.h"
-#include "field/block_tree.h"
+#include "cid/working_points.h"
 #include "field/distance_grid.h"
-#include <pcl_cid/core/soft_draw.h>
 
-#include <pcl_cid/core/seed_proposal.h>
-
-#include <atomic>
-#include <memory>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
+
+#include <pcl/types.h>
 
 namespace pcl_cid {
 
@@ -37,31 +37,66 @@ namespace pcl_cid {
  *  interval for its CIDs.
  *
  *  Points are compared one by one only when something depends on them: when they may be
- *  the farthest one, and at the end. Most rivals are out by then, beaten by seeds that
- *  came later. Which comparisons are made depends on threads; their result does not. */
+ *  the farthest one, and in decideAll(). Most rivals are out by then, beaten by seeds
+ *  that came later. Which comparisons are made depends on threads and on the order in
+ *  which seeds came and went; their result does not.
+ *
+ *  Seeds go by an *id*, in the order in which they came, and have a *rank*, their
+ *  number in the grouping: at equal cost the lower rank wins. A copy is independent.
+ *  Every call takes the threads and the progress of the work that it is a part of. */
 class BlockGroups {
 public:
-  /** \param[in] points the points that are grouped; often those of the surface */
-  BlockGroups(const DistanceField& field,
-              const Points& points,
-              const GroupingOptions& options,
-              Progress& progress);
+  /** How a piece of work is done. */
+  struct Work {
+    int threads; ///< as from threadCount()
+    Progress& progress;
+  };
 
-  /** \brief Go on from what an earlier run decided. */
+  /** \param[in] points must outlive this
+   *  \param[in] samples M */
+  BlockGroups(const WorkingPoints& points, int samples);
+
+  /** \brief These do not count in coverage() and are not proposed. */
   void
-  restore(const SeedProposal& proposal);
+  setIsolated(const pcl::Indices& isolated);
 
-  /** \brief Only these may become seeds; without this call, all points may. */
+  /** \brief Only these are proposed; without this call, all points are. */
   void
   setCandidates(const pcl::Indices& candidates);
 
+  /** \brief As it was made, marks of points aside: no seeds. */
+  void
+  clear() noexcept;
+
+  /** \brief The seeds by rank, indices among the points. */
+  pcl::Indices
+  seeds() const;
+
+  std::size_t
+  numberOfSeeds() const
+  {
+    return ranked_.size();
+  }
+
   /** \brief Compare a new seed with all points.
+   *  \param[in] rank its number; those from there on move up by one
    *  \param[in] to_come how many seeds will follow, about: what is found out now is
    *  worth the more
    *  \param[in] span the share of the progress */
   void
-  addSeed(pcl::index_t seed, std::size_t to_come, ProgressSpan span);
+  addSeed(pcl::index_t seed,
+          std::size_t rank,
+          std::size_t to_come,
+          Work work,
+          ProgressSpan span);
 
+  /** \brief Take seeds away: their points go to the seeds that remain.
+   *  \param[in] ranks ascending; not all of the seeds
+   *  \pre decideAll() was the last call that changed anything */
+  void
+  removeSeeds(const std::vector<std::size_t>& ranks, Work work);
+
+  /** A point, and the value that makes it the farthest. */
   struct Farthest {
     float value = -1.0f;     ///< D_min, times the factor of a draw
     pcl::index_t point = -1; ///< -1: there is none
@@ -69,52 +104,71 @@ public:
 
   /** \brief r_k, the largest D_min of all points that are not isolated. */
   float
-  coverage(ProgressSpan span);
+  coverage(Work work, ProgressSpan span);
 
   /** \brief argmax of D_min over the points that would gain by being a seed; the lowest
    *  index of equal ones. */
   Farthest
-  farthest(ProgressSpan span);
+  farthest(Work work, ProgressSpan span);
 
   /** \brief One of these points at random, by the soft rule. */
   Farthest
-  draw(const SoftDraw& draw, ProgressSpan span);
+  draw(const SoftDraw& draw, Work work, ProgressSpan span);
 
-  /** \brief Decide every point.
-   *  \param[in] keep_cid also the exact CIDs, which costs more
-   *  \param[out] proposal its group and, when kept, cid; else cid is empty */
+  /** \brief Decide which seed every point belongs to.
+   *  \param[in] exactly also its D_min, which costs more */
   void
-  finish(ProgressSpan span, bool keep_cid, SeedProposal& proposal);
+  decideAll(bool exactly, Work work, ProgressSpan span);
+
+  /** \brief The rank of the seed of each point, once all are decided. */
+  std::vector<pcl::index_t>
+  groups(Work work) const;
+
+  /** \brief D_min of each point, once all are decided exactly. */
+  std::vector<float>
+  cids(Work work) const;
 
 private:
+  /** A seed that may win points of a block. */
   struct Rival {
-    std::int32_t number; ///< of the seed
-    float low;           ///< no point of the block has a smaller cost to it
-    float high;          ///< nor a larger one
-    std::size_t hint;    ///< the sample of the segments that is farthest, about
+    std::int32_t id;
+    float low;        ///< no point of the block has a smaller cost to it
+    float high;       ///< nor a larger one
+    std::size_t hint; ///< the sample of the segments that is farthest, about
   };
 
-  /** What is known of a point. */
+  /** What is known of a point: low <= D_min <= high once it is decided. */
   struct State {
-    float high;           ///< at least D_min over all seeds
-    float cid;            ///< D_min over the first `decided` seeds
-    std::int32_t group;   ///< argmin over them
-    std::int32_t decided; ///< number of seeds that it was compared with
-    std::int32_t tried;   ///< number of seeds that are not tried again for `high`
+    float low;
+    float high;           ///< at least D_min over all seeds, decided or not
+    std::int32_t group;   ///< id of the argmin over the seeds it was compared with
+    std::int32_t decided; ///< it was compared with the seeds whose ids are below this
+    std::int32_t tried;   ///< those below this are not tried again for `high`
+
+    bool
+    isExact() const
+    {
+      return low == high;
+    }
   };
+
+  /** Nothing is known. */
+  static const State unknown;
 
   /** A seed that a point may belong to. */
   struct Contender {
-    std::int32_t number; ///< of the seed
-    float low;           ///< at most the cost of the two
-    bool settled;        ///< it is the cost, or enough is known without it
-    Rival* rival;        ///< null for the seed that the point belonged to so far
+    std::int32_t id;
+    std::size_t rank;
+    float low;               ///< at most the cost of the two
+    bool is_exact = false;   ///< it is the cost
+    std::size_t hint = 0;    ///< the sample to look at first
+    std::int32_t rival = -1; ///< where it stands among the rivals of the block
 
     /** The smaller CID wins; at equal CID the earlier seed. */
     bool
     operator<(const Contender& other) const
     {
-      return low < other.low || (low == other.low && number < other.number);
+      return low < other.low || (low == other.low && rank < other.rank);
     }
 
     /** From which cost on the other one is better than this. */
@@ -122,7 +176,7 @@ private:
     limitAgainst(const Contender& other) const
     {
       constexpr float infinity = std::numeric_limits<float>::infinity();
-      return number < other.number ? std::nextafter(other.low, infinity) : other.low;
+      return rank < other.rank ? std::nextafter(other.low, infinity) : other.low;
     }
   };
 
@@ -132,13 +186,22 @@ private:
     std::size_t index; ///< among the points
   };
 
-  /** A seed: the same. */
-  using Seed = Target;
+  struct Seed {
+    Target point;
+    std::size_t rank;
+  };
+
+  /** A seed while it is compared with blocks. */
+  struct Newcomer {
+    Target point;
+    std::int32_t id;
+    bool is_last; ///< of all ranks
+  };
 
   /** A seed that a point is close to. */
   struct Closeness {
-    std::int32_t number = -1; ///< of the seed; -1: none
-    float cid = 0.0f;         ///< at least the CID of the two
+    std::int32_t id = -1; ///< of the seed; -1: none
+    float cid = 0.0f;     ///< at least the CID of the two
   };
 
   /** What an argmax is of. */
@@ -154,11 +217,29 @@ private:
     }
   };
 
-  /** What a point is left out of. */
-  enum Mark : std::uint8_t { isolated = 1, barred = 2 };
+  /** What a thread needs while it compares. */
+  struct Scratch {
+    explicit Scratch(const BlockGroups& groups)
+    : search(groups.points_.field(), groups.order_)
+    {
+    }
 
-  std::size_t
-  slotOf(std::size_t block, int row) const
+    SegmentSearch search;
+    std::vector<Contender> contenders;
+    Eigen::ArrayXf caps;
+  };
+
+  /** What a point is left out of. */
+  enum Mark : std::uint8_t { isolated = 1, no_candidate = 2, no_gain = 4 };
+
+  const BlockTree&
+  tree() const
+  {
+    return points_.tree();
+  }
+
+  static std::size_t
+  slotOf(std::size_t block, int row)
   {
     return block * PointBlock::capacity + static_cast<std::size_t>(row);
   }
@@ -166,31 +247,82 @@ private:
   Target
   target(std::size_t block, int row) const
   {
-    return {tree_.block(block).point(row),
-            static_cast<std::size_t>(tree_.block(block).index[row])};
+    return {tree().block(block).point(row),
+            static_cast<std::size_t>(tree().block(block).index[row])};
   }
 
-  Seed
-  seedAt(pcl::index_t point) const
+  const Seed&
+  seed(std::int32_t id) const
   {
-    const auto index = static_cast<std::size_t>(point);
-    return {tree_.position(slot_of_point_[index]), index};
+    return seeds_[static_cast<std::size_t>(id)];
   }
 
+  /** One past the last id. */
+  std::int32_t
+  endOfIds() const
+  {
+    return static_cast<std::int32_t>(seeds_.size());
+  }
+
+  PairCost
+  costOf(std::int32_t id, const Target& point) const
+  {
+    return points_.costs().between(seed(id).point.index, point.index);
+  }
+
+  Segment
+  segmentTo(std::int32_t id, const Target& point) const
+  {
+    return {seed(id).point.position, point.position, points_.areOnSurface()};
+  }
+
+  // block_groups.cpp
   void
-  mark(const pcl::Indices& points, std::uint8_t marks);
+  setRanks();
 
   bool
-  compareNode(std::size_t node, const Seed& seed, std::size_t& hint) const;
+  isDecided(const State& state, bool exactly) const
+  {
+    return state.decided == endOfIds() && (!exactly || state.isExact());
+  }
+
+  bool
+  orphan(std::size_t block, const std::vector<bool>& removed);
 
   void
-  compareBlock(std::size_t node, const Seed& seed, std::size_t hint);
+  adopt(std::size_t block, Scratch& scratch);
 
   void
-  compareBelow(std::size_t node, const Seed& seed, std::size_t hint);
+  decideBlock(std::size_t block, bool exactly, Scratch& scratch);
 
   void
-  updateAbove(std::size_t node);
+  updateAllNodes();
+
+  // block_comparison.cpp
+  float
+  beatenAt(std::size_t node, const Newcomer& seed) const;
+
+  bool
+  compareNode(std::size_t node, const Newcomer& seed, std::size_t& hint) const;
+
+  void
+  compareBlock(std::size_t node,
+               const Newcomer& seed,
+               std::size_t hint,
+               Scratch& scratch);
+
+  void
+  compareBelow(std::size_t node,
+               const Newcomer& seed,
+               std::size_t hint,
+               Scratch& scratch);
+
+  // point_contenders.cpp
+  Contender
+  contender(std::int32_t id, float low, std::size_t hint) const
+  {
+    return {id, seed(id).rank, low, false, hint};
+  }
 
   static void
   sortFrom(std::int32_t first, std::vector<Contender>& contenders);
@@ -198,8 +330,46 @@ private:
   float
   atMost(std::size_t block, const State& state) const;
 
+  void
+  decide(std::size_t block, int row, bool exactly, Scratch& scratch);
+
+  void
+  collectContenders(std::size_t block,
+                    const Target& point,
+                    const State& state,
+                    std::vector<Contender>& contenders) const;
+
+  std::optional<Contender>
+  nearestOfFew(const Target& point, bool exactly, Scratch& scratch) const;
+
+  Contender
+  nearestOfMany(const Target& point,
+                std::int32_t likely,
+                float high,
+                Scratch& scratch) const;
+
+  float
+  boundAtHint(const Contender& contender, const Target& point) const;
+
+  float
+  compare(Contender& contender,
+          const Target& point,
+          float limit,
+          bool exactly,
+          SegmentSearch& search) const;
+
+  void
+  keepHints(std::size_t block, const std::vector<Contender>& contenders);
+
+  // farthest_point.cpp
+  void
+  updateAbove(std::size_t node);
+
+  bool
+  gains(std::size_t block, int row) const;
+
   Closeness
-  fallsShort(std::size_t block, int row, float floor);
+  fallsShort(std::size_t block, int row, float floor, Scratch& scratch);
 
   Closeness
   closenessOf(const Target& point, const State& state) const;
@@ -207,53 +377,8 @@ private:
   void
   shareWithNeighbors(std::size_t block, int row, const Closeness& closest);
 
-  const Seed&
-  seedOf(const Contender& contender) const
-  {
-    return seeds_[static_cast<std::size_t>(contender.number)];
-  }
-
-  PairCost
-  costOf(const Contender& contender, const Target& point) const
-  {
-    return costs_.between(seedOf(contender).index, point.index);
-  }
-
-  Segment
-  segmentTo(const Contender& contender, const Target& point) const
-  {
-    return {seedOf(contender).position, point.position, !own_tree_};
-  }
-
-  float
-  boundAtHint(const Contender& contender, const Target& point) const;
-
-  float
-  compare(const Contender& contender,
-          const Target& point,
-          float limit,
-          bool keep_cid) const;
-
-  void
-  decide(std::size_t block, int row, bool keep_cid);
-
-  std::vector<Contender>&
-  contenders(std::size_t block, const Target& point, State& state);
-
-  std::optional<Contender>
-  nearestOfFew(const Target& point, bool keep_cid, std::vector<Contender>& open) const;
-
-  Contender
-  nearestOfMany(const Target& point,
-                std::int32_t likely,
-                float high,
-                std::vector<Contender>& open) const;
-
-  bool
-  gains(std::size_t block, int row) const;
-
   Farthest
-  settle(std::size_t block, float floor, const Query& query);
+  farthestOfBlock(std::size_t block, float floor, const Query& query, Scratch& scratch);
 
   std::vector<std::size_t>
   blocksAbove(float floor) const;
@@ -262,31 +387,27 @@ private:
   mostPromising(const std::vector<std::size_t>& blocks) const;
 
   Farthest
-  settleAll(const std::vector<std::size_t>& blocks,
-            const Query& query,
-            ProgressSpan span,
-            Farthest best);
+  farthestOfBlocks(const std::vector<std::size_t>& blocks,
+                   const Query& query,
+                   Work work,
+                   ProgressSpan span,
+                   Farthest best);
 
   Farthest
-  argmax(const Query& query, ProgressSpan span);
+  argmax(const Query& query, Work work, ProgressSpan span);
 
-  const DistanceField& field_;
-  const DistanceGrid& grid_;
-  int threads_;
-  std::unique_ptr<BlockTree> own_tree_; ///< of points that are not the surface
-  const BlockTree& tree_;
-  NodeCosts costs_;
+  const WorkingPoints& points_;
   SampleOrder order_;
-  float slack_; ///< covers the rounding of the coordinates of any two samples
-  Progress& progress_;
-  std::vector<Seed> seeds_;
+  float slack_;             ///< covers the rounding of the coordinates of two samples
+  std::vector<Seed> seeds_; ///< by id; those that were taken away stay in their place
+  std::vector<std::int32_t> ranked_;       ///< ids by rank
   std::size_t to_come_ = 0;                ///< seeds that will follow
   std::vector<State> states_;              ///< by slot
   std::vector<std::vector<Rival>> rivals_; ///< by block
   std::vector<std::int32_t> likely_;       ///< by block: whom a point was close to last
-  std::vector<float> upper_; ///< by node: at least D_min of each of its points
-  std::vector<std::int32_t> slot_of_point_;
+  std::vector<float> upper_;        ///< by node: at least D_min of each of its points
   std::vector<std::uint8_t> marks_; ///< by slot: of Mark
+  std::vector<std::uint8_t> exact_; ///< by block: all is decided, and exactly
 };
 
 } // namespace pcl_cid

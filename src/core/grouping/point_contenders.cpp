@@ -10,9 +10,6 @@
 #include "block_groups.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 namespace pcl_cid {
@@ -21,11 +18,8 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** More seeds than this are many: those of one wall, whose CIDs are about the spacing
- * of the points, and differ by chance. */
+ *  of the points, and differ by chance. */
 constexpr std::size_t few = 16;
-/** With more seeds than this to come, a point will come up again and again, the more
- * often the larger its upper bound: the exact value is worth its cost. */
-constexpr std::size_t many_to_come = 100;
 
 } // namespace
 
@@ -36,8 +30,8 @@ BlockGroups::sortFrom(std::int32_t first, std::vector<Contender>& contenders)
   std::sort(contenders.begin(),
             contenders.end(),
             [first](const Contender& left, const Contender& right) {
-              return std::make_pair(left.number != first, left) <
-                     std::make_pair(right.number != first, right);
+              return std::make_pair(left.id != first, left) <
+                     std::make_pair(right.id != first, right);
             });
 }
 
@@ -51,134 +45,113 @@ BlockGroups::atMost(std::size_t b, const State& state) const
   return high;
 }
 
-/** Whether some seed brings D_min of a point below a floor: one is enough. Most often
- *  it is the one that did for the point of the block before.
- *  \return the seed, or none; the point's upper bound then takes it into account */
-BlockGroups::Closeness
-BlockGroups::fallsShort(std::size_t b, int row, float floor)
-{
-  State& state = states_[slotOf(b, row)];
-  const Target point = target(b, row);
-  thread_local std::vector<Contender> open;
-  open.clear();
-  const float most = atMost(b, state);
-  for (Rival& rival : rivals_[b])
-    if (rival.number >= std::max(state.decided, state.tried) && rival.low < floor &&
-        rival.low <= most)
-      open.push_back({rival.number, rival.low, false, &rival});
-  sortFrom(likely_[b], open);
-  const Tightness tightness =
-      to_come_ > many_to_come ? Tightness::exact : Tightness::looks;
-  state.tried = static_cast<std::int32_t>(seeds_.size());
-  for (const Contender& contender : open) {
-    const PairCost cost = costOf(contender, point);
-    const float below = cost.cidBelow(floor);
-    const float cid = boundPointCID(field_,
-                                    segmentTo(contender, point),
-                                    order_,
-                                    below,
-                                    tightness,
-                                    contender.rival->hint);
-    if (cid < below) {
-      state.high = std::min(state.high, cost.of(cid));
-      return {contender.number, cid};
-    }
-  }
-  return {};
-}
-
-/** The seed that a decided point belongs to. */
-BlockGroups::Closeness
-BlockGroups::closenessOf(const Target& point, const State& state) const
-{
-  const Seed& seed = seeds_[static_cast<std::size_t>(state.group)];
-  return {state.group, costs_.between(seed.index, point.index).cidWithin(state.cid)};
-}
-
 /** Compare a point with all seeds that it was not compared with.
- *  \param[in] keep_cid else the winner's CID may be left at a lower bound */
+ *  \param[in] exactly else its D_min may be left between two bounds */
 void
-BlockGroups::decide(std::size_t b, int row, bool keep_cid)
+BlockGroups::decide(std::size_t b, int row, bool exactly, Scratch& scratch)
 {
   State& state = states_[slotOf(b, row)];
-  if (state.decided == static_cast<std::int32_t>(seeds_.size()))
+  if (isDecided(state, exactly))
     return;
   const Target point = target(b, row);
-  std::vector<Contender>& open = contenders(b, point, state);
-  const std::optional<Contender> found = nearestOfFew(point, keep_cid, open);
+  state.high = atMost(b, state);
+  collectContenders(b, point, state, scratch.contenders);
+  const std::optional<Contender> found = nearestOfFew(point, exactly, scratch);
   const Contender nearest =
-      found ? *found : nearestOfMany(point, likely_[b], state.high, open);
-  state.group = likely_[b] = nearest.number;
-  state.cid = state.high = nearest.low;
-  state.decided = static_cast<std::int32_t>(seeds_.size());
+      found ? *found : nearestOfMany(point, likely_[b], state.high, scratch);
+  keepHints(b, scratch.contenders);
+  state.group = likely_[b] = nearest.id;
+  state.low = nearest.low;
+  if (nearest.is_exact)
+    state.high = nearest.low;
+  state.decided = endOfIds();
 }
 
 /** The seeds that a point may belong to: the best of those that it was compared with,
  *  and the rivals since. */
-std::vector<BlockGroups::Contender>&
-BlockGroups::contenders(std::size_t b, const Target& point, State& state)
+void
+BlockGroups::collectContenders(std::size_t b,
+                               const Target& point,
+                               const State& state,
+                               std::vector<Contender>& contenders) const
 {
-  thread_local std::vector<Contender> contenders;
   contenders.clear();
-  state.high = atMost(b, state);
-  if (state.group >= 0 && state.cid <= state.high)
-    contenders.push_back({state.group, state.cid, true, nullptr});
-  for (Rival& rival : rivals_[b])
-    if (rival.number >= state.decided && rival.low <= state.high)
-      contenders.push_back({rival.number, rival.low, false, &rival});
-  for (Contender& contender : contenders)
-    if (!contender.settled)
-      contender.low = std::max(contender.low, boundAtHint(contender, point));
-  return contenders;
+  if (state.group >= 0 && state.low <= state.high) {
+    contenders.push_back(contender(state.group, state.low, order_.last() / 2));
+    contenders.back().is_exact = state.isExact();
+  }
+  const std::vector<Rival>& rivals = rivals_[b];
+  for (std::size_t k = 0; k < rivals.size(); ++k)
+    if (rivals[k].id >= state.decided && rivals[k].low <= state.high) {
+      contenders.push_back(contender(rivals[k].id, rivals[k].low, rivals[k].hint));
+      contenders.back().rival = static_cast<std::int32_t>(k);
+    }
+  for (Contender& each : contenders)
+    if (!each.is_exact)
+      each.low = std::max(each.low, boundAtHint(each, point));
+}
+
+/** Hints that a comparison improved are of use for the other points of the block. */
+void
+BlockGroups::keepHints(std::size_t b, const std::vector<Contender>& contenders)
+{
+  for (const Contender& each : contenders)
+    if (each.rival >= 0)
+      rivals_[b][static_cast<std::size_t>(each.rival)].hint = each.hint;
 }
 
 /** Whoever has the smallest lower bound is compared with the second smallest, which
  *  shows that its cost is the smallest of all, or raises its bound.
  *  \return nothing when that takes many rounds; the more seeds, the fewer are tried */
 std::optional<BlockGroups::Contender>
-BlockGroups::nearestOfFew(const Target& point,
-                          bool keep_cid,
-                          std::vector<Contender>& open) const
+BlockGroups::nearestOfFew(const Target& point, bool exactly, Scratch& scratch) const
 {
+  std::vector<Contender>& open = scratch.contenders;
   for (std::size_t round = open.size(); round <= few; ++round) {
     std::iter_swap(open.begin(), std::min_element(open.begin(), open.end()));
     Contender& first = open.front();
-    if (first.settled)
+    if (first.is_exact)
       return first;
     const auto second = std::min_element(open.begin() + 1, open.end());
     const bool alone = second == open.end();
-    if (alone && !keep_cid)
+    if (alone && !exactly)
       return first;
     const float limit = alone ? infinity : first.limitAgainst(*second);
-    const float cost = compare(first, point, limit, keep_cid);
-    first.settled = cost < limit;
+    const float cost = compare(first, point, limit, exactly, scratch.search);
     first.low = std::max(first.low, cost);
+    if (cost < limit) {
+      first.is_exact = exactly;
+      return first;
+    }
   }
   return std::nullopt;
 }
 
 /** Of many seeds, the second smallest bound is hardly larger than the smallest and
- * would raise it by little, again and again: each is compared with the best so far,
- * once.
- * \param[in] likely the first one; who wins depends on its cost alone
- * \param[in] high at least the winner's cost */
+ *  would raise it by little, again and again: each is compared with the best so far,
+ *  once.
+ *  \param[in] likely the first one; who wins depends on its cost alone
+ *  \param[in] high at least the winner's cost */
 BlockGroups::Contender
 BlockGroups::nearestOfMany(const Target& point,
                            std::int32_t likely,
                            float high,
-                           std::vector<Contender>& open) const
+                           Scratch& scratch) const
 {
+  std::vector<Contender>& open = scratch.contenders;
   sortFrom(likely, open);
   // Nobody yet, and beaten by whoever costs no more than the winner may.
-  Contender best{-1, std::nextafter(high, infinity), true, nullptr};
-  for (Contender& contender : open) {
-    if (best < contender)
+  Contender best{-1, 0, std::nextafter(high, infinity), true, 0, -1};
+  for (Contender& each : open) {
+    if (best < each)
       continue;
-    const float limit = contender.limitAgainst(best);
-    if (!contender.settled)
-      contender.low = compare(contender, point, limit, true);
-    if (contender.low < limit)
-      best = contender;
+    const float limit = each.limitAgainst(best);
+    if (!each.is_exact)
+      each.low = compare(each, point, limit, true, scratch.search);
+    if (each.low < limit) {
+      best = each;
+      best.is_exact = true;
+    }
   }
   return best;
 }
@@ -188,30 +161,30 @@ float
 BlockGroups::boundAtHint(const Contender& contender, const Target& point) const
 {
   const SegmentSamples samples(
-      seedOf(contender).position, point.position, order_.samples());
-  const float low = grid_.lowerBound(samples.at(contender.rival->hint)) - samples.slack;
-  return costOf(contender, point).of(std::max(low, 0.0f));
+      seed(contender.id).point.position, point.position, order_.samples());
+  const float low =
+      points_.field().grid().lowerBound(samples.at(contender.hint)) - samples.slack;
+  return costOf(contender.id, point).of(std::max(low, 0.0f));
 }
 
 /** The cost to a contender, or a lower bound of it that is at least \a limit; without
- *  \a keep_cid, anything below the limit for a cost below it. */
+ *  \a exactly, anything below the limit for a cost below it. */
 float
-BlockGroups::compare(const Contender& contender,
+BlockGroups::compare(Contender& contender,
                      const Target& point,
                      float limit,
-                     bool keep_cid) const
+                     bool exactly,
+                     SegmentSearch& search) const
 {
-  const Segment segment = segmentTo(contender, point);
-  const PairCost cost = costOf(contender, point);
-  std::size_t& hint = contender.rival->hint;
+  const Segment segment = segmentTo(contender.id, point);
+  const PairCost cost = costOf(contender.id, point);
+  std::size_t& hint = contender.hint;
   const float below = cost.cidBelow(limit);
-  const float cid =
-      keep_cid ? pointCID(field_, segment, order_, below, hint)
-               : findCIDAtLeast(field_, segment, order_, below, hint).value_or(0.0f);
+  const float cid = exactly ? search.pointCID(segment, below, hint)
+                            : search.findAtLeast(segment, below, hint).value_or(0.0f);
   if (cid < below || cost.of(cid) >= limit)
     return cost.of(cid);
-  return cost.of(
-      pointCID(field_, segment, order_, infinity, hint)); // too close to tell
+  return cost.of(search.pointCID(segment, infinity, hint)); // too close to tell
 }
 
 } // namespace pcl_cid

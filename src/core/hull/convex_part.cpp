@@ -18,6 +18,8 @@
 #include "stray_points.h"
 
 #include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/settings.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,48 +176,17 @@ makeHull(const LocalPoints& points,
     part.hull = paddedBox(box, thickness, options);
 }
 
-/** Coordinates are no larger, either, so that float can hold squared distances. */
-constexpr double longest = 1e15;
-constexpr double shortest = 1e-15;
-
-void
-requireLength(const char* name, double length)
-{
-  if (!(length >= 0.0) || length > longest)
-    throw CIDException(sentence("the ",
-                                name,
-                                " is ",
-                                length,
-                                "; it must be a number of metres, 0 to ",
-                                longest));
-}
-
-/** Back to the frame of the input cloud. */
-void
-translate(TriangleMesh& mesh, const Eigen::Vector3d& origin)
-{
-  for (Eigen::Vector3d& v : mesh.vertices)
-    v += origin;
-}
-
 } // namespace
 
 void
 requireValid(const ConvexPartOptions& options)
 {
-  if (!(options.min_thickness >= shortest) || options.min_thickness > longest)
-    throw CIDException(sentence("the minimum thickness is ",
-                                options.min_thickness,
-                                "; it must be a number of metres above 0, ",
-                                shortest,
-                                " to ",
-                                longest));
-  requireLength("padding", options.padding);
-  requireLength("trim distance", options.trim_distance);
-  if (options.max_vertices > 0 && options.max_vertices < 4)
-    throw CIDException(sentence("the maximum number of vertices is ",
-                                options.max_vertices,
-                                "; it must be at least 4, or 0 for any number"));
+  require(setting::min_thickness, options.min_thickness);
+  require(setting::padding, options.padding);
+  require(setting::trim_distance, options.trim_distance);
+  constexpr std::size_t most = setting::max_vertices.most;
+  require(setting::max_vertices,
+          static_cast<int>(std::min(options.max_vertices, most)));
 }
 
 ConvexPart
@@ -231,12 +202,15 @@ makeConvexPart(const PointSet& points,
   ConvexPart part;
   part.indices = sourcesOf(points, members_left.kept);
   part.trimmed = sourcesOf(points, members_left.trimmed);
-  makeHull(
-      distinctPoints(points.points, members_left.kept), points.origin, options, part);
+  makeHull(distinctPoints(points.points, members_left.kept),
+           points.frame.origin,
+           options,
+           part);
   part.volume = volumeOf(part.hull);
   part.area = areaOf(part.hull);
   part.thickness = leastWidth(part.hull).width;
-  translate(part.hull, points.origin);
+  for (Eigen::Vector3d& v : part.hull.vertices)
+    v = points.frame.toFile(v);
   return part;
 }
 

@@ -11,6 +11,7 @@
 #include "surface_check.h"
 
 #include <pcl_cid/core/hull_guarantees.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

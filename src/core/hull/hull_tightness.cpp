@@ -45,10 +45,7 @@ fieldOptions(const TightnessOptions& options)
 void
 requireValid(const TightnessOptions& options)
 {
-  if (!(options.free_distance > 0.0) || std::isinf(options.free_distance))
-    throw CIDException(sentence("the free distance is ",
-                                options.free_distance,
-                                "; it must be a number of metres above 0"));
+  require(setting::free_distance, options.free_distance);
   requireAtLeast<std::size_t>("number of hull samples", options.hull_samples, 1);
   requireAtLeast<std::size_t>("number of box samples", options.box_samples, 1);
 }
@@ -59,6 +56,17 @@ valid(const TightnessOptions& options)
 {
   requireValid(options);
   return options;
+}
+
+/** That of the scan, where its surface is all of its points; the field keeps the scan
+ *  alive. */
+std::shared_ptr<const DistanceField>
+fieldOfPoints(const PreparedScan::ConstPtr& scan, const TightnessOptions& options)
+{
+  if (valid(options); scan->pointsAreSurface())
+    return {scan, &scan->field()};
+  return std::make_shared<const DistanceField>(scan->points().points,
+                                               fieldOptions(options));
 }
 
 /** \brief What tells the points inside a hull from the others. */
@@ -87,14 +95,14 @@ private:
 
 /** The hulls about the origin of the scan. */
 std::vector<TriangleMesh>
-localHulls(const std::vector<ConvexPart>& parts, const Eigen::Vector3d& origin)
+localHulls(const std::vector<ConvexPart>& parts, const Frame& frame)
 {
   std::vector<TriangleMesh> hulls;
   hulls.reserve(parts.size());
   for (const ConvexPart& part : parts) {
     hulls.push_back(part.hull);
     for (Eigen::Vector3d& v : hulls.back().vertices)
-      v -= origin;
+      v = frame.toLocal(v);
   }
   return hulls;
 }
@@ -102,10 +110,26 @@ localHulls(const std::vector<ConvexPart>& parts, const Eigen::Vector3d& origin)
 } // namespace
 
 TightnessMeter::TightnessMeter(const PointSet& scan, const TightnessOptions& options)
-: options_(valid(options))
-, origin_(scan.origin)
+: TightnessMeter(
+      scan,
+      std::make_shared<const DistanceField>(scan.points, fieldOptions(valid(options))),
+      options)
+{
+}
+
+TightnessMeter::TightnessMeter(const PreparedScan::ConstPtr& scan,
+                               const TightnessOptions& options)
+: TightnessMeter(scan->points(), fieldOfPoints(scan, options), options)
+{
+}
+
+TightnessMeter::TightnessMeter(const PointSet& scan,
+                               std::shared_ptr<const DistanceField> field,
+                               const TightnessOptions& options)
+: options_(options)
+, frame_(scan.frame)
 , box_(boxOf(scan))
-, field_(scan.points, fieldOptions(options))
+, field_(std::move(field))
 , box_sample_is_free_(options.box_samples)
 {
   Progress progress(options.execution.progress);
@@ -124,11 +148,11 @@ bool
 TightnessMeter::isFree(const Eigen::Vector3d& local) const
 {
   const Eigen::Vector3f x = local.cast<float>();
-  const DistanceBounds bounds = field_.bounds(x);
+  const DistanceBounds bounds = field_->bounds(x);
   if (static_cast<double>(bounds.low) > options_.free_distance)
     return true;
   return static_cast<double>(bounds.high) > options_.free_distance &&
-         static_cast<double>(field_.distance(x)) > options_.free_distance;
+         static_cast<double>(field_->distance(x)) > options_.free_distance;
 }
 
 Eigen::Vector3d
@@ -143,7 +167,7 @@ TightnessMeter::tightnessOf(const TriangleMesh& local) const
   const auto count = static_cast<double>(options_.hull_samples);
   HullTightness tightness;
   for (const Eigen::Vector3d& x : surfaceSamples(local, options_.hull_samples)) {
-    const auto distance = static_cast<double>(field_.distance(x.cast<float>()));
+    const auto distance = static_cast<double>(field_->distance(x.cast<float>()));
     tightness.max_concavity = std::max(tightness.max_concavity, distance);
     tightness.mean_concavity += distance / count;
   }
@@ -188,7 +212,7 @@ TightnessMeter::measureUnion(const std::vector<TriangleMesh>& local,
 Tightness
 TightnessMeter::measure(const std::vector<ConvexPart>& parts) const
 {
-  const std::vector<TriangleMesh> local = localHulls(parts, origin_);
+  const std::vector<TriangleMesh> local = localHulls(parts, frame_);
   Tightness tightness;
   tightness.hulls.resize(local.size());
   Progress progress(options_.execution.progress);

@@ -37,17 +37,13 @@ struct GroupCIDs::Effort {
 constexpr std::array<GroupCIDs::Effort, 3> GroupCIDs::efforts = {
     {{1, false}, {3, false}, {3, true}}};
 
-GroupCIDs::GroupCIDs(const DistanceField& field,
-                     const Points& points,
+GroupCIDs::GroupCIDs(const WorkingPoints& points,
                      std::vector<pcl::Indices> drawn,
                      const GroupMergingOptions& options,
                      Progress& progress)
-: field_(field)
-, points_(points)
+: points_(points)
 , drawn_(std::move(drawn))
-, from_surface_(areDrawnFromSurface())
 , lattice_(options.group_samples)
-, costs_(options.costs)
 , order_(options.samples)
 , threads_(threadCount(options.execution.threads))
 , progress_(progress)
@@ -104,10 +100,11 @@ GroupCIDs::tighten(Pair pair)
 void
 GroupCIDs::evaluate(Pair pair)
 {
+  SegmentSearch search(points_.field(), order_);
   std::size_t hint = order_.last() / 2;
   values_[place(pair)] = meanOf(pair, [&](pcl::index_t p, pcl::index_t q) {
-    const Segment segment{position(p), position(q), from_surface_};
-    return costOf(p, q).of(pointCID(field_, segment, order_, infinity, hint));
+    const Segment segment{position(p), position(q), points_.areOnSurface()};
+    return costOf(p, q).of(search.pointCID(segment, infinity, hint));
   });
   tried_[place(pair)] = exact;
 }
@@ -152,26 +149,16 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
   std::size_t farthest = order_.last() / 2;
   for (std::size_t k = 0; k < std::min(order_.levels().size(), effort.levels); ++k)
     for (const std::size_t l : order_.levels()[k]) {
-      const float low = field_.grid().lowerBound(segment.at(l));
+      const float low = points_.field().grid().lowerBound(segment.at(l));
       if (low > largest) {
         largest = low;
         farthest = l;
       }
     }
   if (effort.exact_at_farthest)
-    largest = std::max(largest, field_.distance(segment.at(farthest)));
+    largest = std::max(largest, points_.field().distance(segment.at(farthest)));
   constexpr float rounding = 8.0f * std::numeric_limits<float>::epsilon();
   return std::max(largest * (1.0f - rounding) - segment.slack, 0.0f);
-}
-
-bool
-GroupCIDs::areDrawnFromSurface() const
-{
-  for (const pcl::Indices& group : drawn_)
-    for (const pcl::index_t p : group)
-      if (field_.distance(position(p)) != 0.0f)
-        return false;
-  return true;
 }
 
 /** Where the progress stands, if all pairs were to be made exact. */

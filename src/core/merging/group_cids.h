@@ -13,7 +13,8 @@
 #include "cid/segment_samples.h"
 #include "group_draw.h"
 
-#include <pcl_cid/core/group_merging.h>
+#include "cid/working_points.h"
+#include "merge_groups.h"
 
 #include <array>
 #include <cstdint>
@@ -32,8 +33,7 @@ public:
 
   /** \param[in] points all points
    *  \param[in] drawn some of each group, indices */
-  GroupCIDs(const DistanceField& field,
-            const Points& points,
+  GroupCIDs(const WorkingPoints& points,
             std::vector<pcl::Indices> drawn,
             const GroupMergingOptions& options,
             Progress& progress);
@@ -86,29 +86,22 @@ private:
   PairCost
   costOf(pcl::index_t p, pcl::index_t q) const
   {
-    return costs_ ? costs_->between(static_cast<std::size_t>(p),
-                                    static_cast<std::size_t>(q))
-                  : PairCost();
+    return points_.costs().between(static_cast<std::size_t>(p),
+                                   static_cast<std::size_t>(q));
   }
 
   const Eigen::Vector3f&
   position(pcl::index_t p) const
   {
-    return points_[static_cast<std::size_t>(p)];
+    return points_.points()[static_cast<std::size_t>(p)];
   }
-
-  bool
-  areDrawnFromSurface() const;
 
   ProgressSpan
   share() const;
 
-  const DistanceField& field_;
-  const Points& points_;
+  const WorkingPoints& points_;
   std::vector<pcl::Indices> drawn_;
-  bool from_surface_; ///< d is 0 at all points drawn
   PairLattice lattice_;
-  const PairCosts* costs_;
   SampleOrder order_;
   int threads_;
   Progress& progress_;

@@ -9,8 +9,8 @@
 
 #pragma once
 
+#include "base/random.h"
 #include <pcl_cid/core/point_set.h>
-#include <pcl_cid/core/random.h>
 
 #include <cstddef>
 

@@ -8,14 +8,12 @@
  */
 
 #include "base/parallel_for.h"
+#include "base/random.h"
 #include "base/requirements.h"
-#include "cid/node_costs.h"
 #include "group_cids.h"
 #include "group_draw.h"
 
-#include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
-#include <pcl_cid/core/random.h>
 #include <pcl_cid/core/settings.h>
 
 #include <algorithm>
@@ -289,16 +287,12 @@ knownHeight(const std::vector<MergeStep>& steps,
 } // namespace
 
 MergeTree
-mergeGroups(const DistanceField& field,
-            const Points& points,
+mergeGroups(const WorkingPoints& points,
             const std::vector<pcl::index_t>& group,
             std::size_t groups,
             const GroupMergingOptions& options)
 {
-  requirePoints(points);
   require(setting::samples, options.samples);
-  if (options.costs)
-    requireCosts(*options.costs, points.size());
   requireAtLeast("number of samples of a group", options.group_samples, std::size_t{1});
   requireAtLeast("number of parts to stop at", options.stop_at_parts, std::size_t{1});
   if (!(options.stop_at_height >= 0.0))
@@ -311,15 +305,31 @@ mergeGroups(const DistanceField& field,
     sizes.push_back(of_group.size());
 
   Progress progress(options.execution.progress);
-  GroupCIDs cids(field,
-                 points,
-                 drawFromGroups(points, std::move(members), options, progress),
+  GroupCIDs cids(points,
+                 drawFromGroups(points.points(), std::move(members), options, progress),
                  options,
                  progress);
   AverageLinkage linkage(cids, sizes);
   std::vector<MergeStep> steps =
       linkage.run(options.stop_at_parts, options.stop_at_height);
   return MergeTree(sizes, steps, knownHeight(steps, groups, options));
+}
+
+MergeTree
+mergeGroups(const Grouping& grouping,
+            const MergingSettings& settings,
+            const ExecutionOptions& execution)
+{
+  requireAtLeast("number of seeds", grouping.numberOfSeeds(), std::size_t{1});
+  GroupMergingOptions options;
+  static_cast<MergingSettings&>(options) = settings;
+  options.samples = grouping.settings().samples;
+  options.random_seed = grouping.scan().settings().random_seed;
+  options.execution = execution;
+  return mergeGroups(grouping.scan().working(),
+                     grouping.groupsOfWorkingPoints({execution.threads, {}}),
+                     grouping.numberOfSeeds(),
+                     options);
 }
 
 } // namespace pcl_cid

@@ -8,10 +8,10 @@
  */
 
 #include "base/progress.h"
-#include "base/sentence.h"
+#include "base/requirements.h"
 
-#include <pcl_cid/core/blind_spot.h>
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
+#include "blind_spot.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 
 #include "base/requirements.h"
 
-#include <pcl_cid/core/isolated_points.h>
+#include "isolated_points.h"
 #include <pcl_cid/core/settings.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
  * Colours as people tell them apart.
  */
 
-#include <pcl_cid/core/lab_color.h>
+#include "lab_color.h"
 
 #include <array>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include "base/requirements.h"
 
-#include <pcl_cid/core/local_spacing.h>
+#include "local_spacing.h"
 #include <pcl_cid/core/settings.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "base/parallel_for.h"
 #include "field/block_tree.h"
 
-#include <pcl_cid/core/nearest_neighbors.h>
+#include "nearest_neighbors.h"
 
 #include <algorithm>
 #include <array>

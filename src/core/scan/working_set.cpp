@@ -8,10 +8,10 @@
  * others.
  */
 
+#include "working_set.h"
+
 #include "base/parallel_for.h"
 #include "base/requirements.h"
-
-#include <pcl_cid/core/working_set.h>
 
 #include <algorithm>
 #include <limits>
@@ -117,26 +117,6 @@ WorkingSet::indexOf(pcl::index_t position) const
   if (found == position_.end() || *found != position)
     return -1;
   return static_cast<pcl::index_t>(found - position_.begin());
-}
-
-SeedProposal
-WorkingSet::carryOn(const SeedProposal& proposal, std::size_t cloud_size) const
-{
-  SeedProposal carried;
-  carried.coverage = proposal.coverage;
-  for (const pcl::index_t seed : proposal.seeds)
-    carried.seeds.push_back(all_.source[static_cast<std::size_t>(positionOf(seed))]);
-  carried.group.assign(cloud_size, -1);
-  if (!proposal.cid.empty())
-    carried.cid.assign(cloud_size, std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    const auto to = static_cast<std::size_t>(all_.source[i]);
-    const auto from = position_.empty() ? i : static_cast<std::size_t>(follows_[i]);
-    carried.group[to] = proposal.group[from];
-    if (!proposal.cid.empty())
-      carried.cid[to] = proposal.cid[from];
-  }
-  return carried;
 }
 
 } // namespace pcl_cid

@@ -12,6 +12,7 @@
 
 #include <pcl_cid/core/average_precision.h>
 #include <pcl_cid/core/evaluation.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,7 @@
 #include "base/sentence.h"
 
 #include <pcl_cid/core/instance_overlaps.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <map>

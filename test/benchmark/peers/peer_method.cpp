@@ -10,7 +10,7 @@
 #include "peer_method.h"
 
 #include <pcl_cid/core/distance_field.h>
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

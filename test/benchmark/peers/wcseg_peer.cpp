@@ -11,7 +11,7 @@
 #include "peer_method.h"
 #include "weak_convexity.h"
 
-#include <pcl_cid/core/working_set.h>
+#include "scan/working_set.h"
 
 #include <map>
 

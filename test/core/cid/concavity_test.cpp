@@ -11,7 +11,7 @@
 #include "oracle.h"
 
 #include <pcl_cid/core/concavity.h>
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 #include <pcl_cid/exceptions.h>
 
 #include <cmath>

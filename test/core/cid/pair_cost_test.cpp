@@ -10,9 +10,9 @@
 
 #include "clouds.h"
 #include "oracle.h"
-#include <pcl_cid/core/soft_draw.h>
+#include "grouping/soft_draw.h"
 
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "clouds.h"
 
 #include <pcl_cid/core/concavity.h>
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 #include <cmath>
 

@@ -11,7 +11,7 @@
 
 #include "clouds.h"
 
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 #include <cmath>
 #include <limits>

@@ -9,7 +9,7 @@
 
 #include "hulls.h"
 
-#include <pcl_cid/core/random.h>
+#include "base/random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,8 +14,8 @@
 
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
-#include <pcl_cid/core/random.h>
-#include <pcl_cid/core/seed_proposal.h>
+#include "base/random.h"
+#include <pcl_cid/core/grouping.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

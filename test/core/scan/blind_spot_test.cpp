@@ -11,8 +11,8 @@
 #include "lidar_scan.h"
 #include "oracle.h"
 
-#include <pcl_cid/core/blind_spot.h>
-#include <pcl_cid/core/preparation.h>
+#include "scan/blind_spot.h"
+#include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/exceptions.h>
 
 #include <limits>

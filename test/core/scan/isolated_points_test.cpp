@@ -9,7 +9,7 @@
 
 #include "clouds.h"
 
-#include <pcl_cid/core/isolated_points.h>
+#include "scan/isolated_points.h"
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
  * L*a*b* against published values, and smooth.
  */
 
-#include <pcl_cid/core/lab_color.h>
+#include "scan/lab_color.h"
 
 #include <gtest/gtest.h>
 

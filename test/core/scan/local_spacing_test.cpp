@@ -9,8 +9,8 @@
 
 #include "clouds.h"
 
-#include <pcl_cid/core/local_spacing.h>
-#include <pcl_cid/core/random.h>
+#include "scan/local_spacing.h"
+#include "base/random.h"
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

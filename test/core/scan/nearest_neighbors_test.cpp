@@ -9,7 +9,7 @@
 
 #include "clouds.h"
 
-#include <pcl_cid/core/nearest_neighbors.h>
+#include "scan/nearest_neighbors.h"
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 #include "clouds.h"
 
-#include <pcl_cid/core/working_set.h>
+#include "scan/working_set.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,8 @@
 
 #pragma once
 
-#include <pcl_cid/core/nearest_neighbors.h>
+#include "nearest_neighbors.h"
 #include <pcl_cid/core/settings.h>
-#include <pcl_cid/pcl_cid_export.h>
 
 #include <vector>
 
@@ -34,7 +33,7 @@ constexpr float uneven_spread = 1.9f;
  *  \param[in] power 0 for 1 everywhere (the paper), 1 for the spacing itself; 0 to 4
  *  \return above 0; 1 for each point of a cloud that has no spacing
  *  \throws CIDException when the power is out of its range */
-PCL_CID_EXPORT std::vector<float>
+std::vector<float>
 localSpacing(const NearestNeighbors& neighbors, float power);
 
 /** \brief How uneven the spacing is: the spacing that 90 % of the surface does not
@@ -47,7 +46,7 @@ localSpacing(const NearestNeighbors& neighbors, float power);
  *  \param[in] isolated further points that do not count (see isolatedPoints()),
  *  ascending
  *  \return 1 or more; 1 for a cloud that has no spacing */
-PCL_CID_EXPORT float
+float
 spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated);
 
 } // namespace pcl_cid

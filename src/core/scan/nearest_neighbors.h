@@ -11,7 +11,6 @@
 
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/point_set.h>
-#include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
 #include <vector>
@@ -27,7 +26,7 @@ namespace pcl_cid {
  *  when its points are doubled. At equal distance the place of lower index comes first.
  *
  *  Local spacing, isolated points and smooth colours are all read off one of these. */
-class PCL_CID_EXPORT NearestNeighbors {
+class NearestNeighbors {
 public:
   /** The number of neighbours looked for. */
   static constexpr std::size_t most = 8;

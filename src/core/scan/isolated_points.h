@@ -9,8 +9,7 @@
 
 #pragma once
 
-#include <pcl_cid/core/nearest_neighbors.h>
-#include <pcl_cid/pcl_cid_export.h>
+#include "nearest_neighbors.h"
 
 namespace pcl_cid {
 
@@ -33,7 +32,7 @@ constexpr float isolation_radius = 2.0f;
  *  \return ascending; never all of the points, as those with the nearest neighbours are
  *  not isolated; none where there are fewer than nine places with points
  *  \throws CIDException when \a least is out of its range */
-PCL_CID_EXPORT pcl::Indices
+pcl::Indices
 isolatedPoints(const Points& points, const NearestNeighbors& neighbors, int least);
 
 } // namespace pcl_cid

@@ -11,21 +11,13 @@
 
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/point_set.h>
-#include <pcl_cid/pcl_cid_export.h>
+#include <pcl_cid/core/prepared_scan.h>
 
 #include <optional>
 
 #include <Eigen/Core>
 
 namespace pcl_cid {
-
-/** \brief Where a scan was taken from. */
-struct SensorPose {
-  /** In the frame of the points; finite. */
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();
-  /** Of length 1. */
-  Eigen::Vector3f down = -Eigen::Vector3f::UnitZ();
-};
 
 /** \brief A disc of floor that was not seen. */
 struct BlindSpot {
@@ -61,7 +53,7 @@ struct BlindSpot {
  *  \param[in] execution its progress is asked for cancellation; threads do not matter
  *  \note O(N); at most 20,000 points, drawn the same way each time, take part in the
  *  search for the plane. */
-PCL_CID_EXPORT std::optional<BlindSpot>
+std::optional<BlindSpot>
 findBlindSpot(const Points& points,
               const SensorPose& sensor,
               const ExecutionOptions& execution);

@@ -10,10 +10,8 @@
 
 #pragma once
 
+#include "base/random.h"
 #include <pcl_cid/core/distance_field.h>
-#include <pcl_cid/core/random.h>
-#include <pcl_cid/core/seed_proposal.h>
-#include <pcl_cid/pcl_cid_export.h>
 
 #include <memory>
 #include <vector>
@@ -35,7 +33,7 @@ struct SurfacePoints {
  *  V.A) is a draw of 20,000: those are the surface, the points that are grouped and the
  *  candidate seeds in one; every other point follows its Euclidean-nearest one.
  *  Positions below count the points of the set that was given. */
-class PCL_CID_EXPORT WorkingSet {
+class WorkingSet {
 public:
   /** \brief Draw the set and build the field of its surface.
    *  \param[in] points the points to be grouped, `source` ascending; at least 1
@@ -76,13 +74,35 @@ public:
     return position_.empty() ? index : position_[static_cast<std::size_t>(index)];
   }
 
-  /** \brief A proposal on points() becomes one on the whole input cloud: seeds are
-   *  indices of the cloud; group and cid have an entry for every point of it. A point
-   *  that was not drawn takes the group and the cid of the one it follows; a point that
-   *  is invalid or not selected gets -1 and NaN.
-   *  \param[in] cloud_size points of the input cloud */
-  SeedProposal
-  carryOn(const SeedProposal& proposal, std::size_t cloud_size) const;
+  /** \brief The points that were given. */
+  const PointSet&
+  all() const
+  {
+    return all_;
+  }
+
+  /** \brief Values of points() become values of the whole input cloud: a point that was
+   *  not drawn takes that of the one it follows.
+   *  \param[in] values one for each of points()
+   *  \param[in] cloud_size points of the input cloud
+   *  \param[in] missing the value of a point that is invalid or not selected */
+  template <typename Value>
+  std::vector<Value>
+  carryOn(const std::vector<Value>& values, std::size_t cloud_size, Value missing) const
+  {
+    std::vector<Value> carried(cloud_size, missing);
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      carried[static_cast<std::size_t>(all_.source[i])] =
+          values[position_.empty() ? i : static_cast<std::size_t>(follows_[i])];
+    return carried;
+  }
+
+  /** \brief Index in the input cloud of a point of points(). */
+  pcl::index_t
+  cloudIndexOf(pcl::index_t index) const
+  {
+    return all_.source[static_cast<std::size_t>(positionOf(index))];
+  }
 
 private:
   void

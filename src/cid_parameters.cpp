@@ -1,0 +1,332 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What all classes share that does not depend on the point type.
+ */
+
+#include <pcl_cid/cid_parameters.h>
+#include <pcl_cid/exceptions.h>
+
+#include <pcl/console/print.h>
+
+#include <utility>
+
+namespace pcl_cid {
+
+void
+CIDParameters::setNumberOfSeeds(int number_of_seeds)
+{
+  require(setting::seeds, number_of_seeds);
+  number_of_seeds_ = number_of_seeds;
+}
+
+void
+CIDParameters::setCoverage(float coverage)
+{
+  require(setting::coverage, coverage);
+  coverage_ = coverage;
+}
+
+void
+CIDParameters::setNumberOfSamples(int number_of_samples)
+{
+  require(setting::samples, number_of_samples);
+  grouping_settings_.samples = number_of_samples;
+}
+
+void
+CIDParameters::setSubsample(int subsample)
+{
+  require(setting::subsample, subsample);
+  preparation_.subsample = subsample;
+  forgetScan();
+}
+
+void
+CIDParameters::setRandomSeed(std::uint64_t random_seed)
+{
+  preparation_.random_seed = random_seed;
+  forgetScan();
+}
+
+void
+CIDParameters::setStartIndex(pcl::index_t start_index)
+{
+  require(setting::start_index, start_index);
+  preparation_.start_index = start_index;
+  forgetScan();
+}
+
+void
+CIDParameters::resetStartIndex()
+{
+  preparation_.start_index.reset();
+  forgetScan();
+}
+
+void
+CIDParameters::setSeedCandidates(
+    const pcl::shared_ptr<const pcl::Indices>& seed_candidates)
+{
+  preparation_.seed_candidates = seed_candidates;
+  forgetScan();
+}
+
+void
+CIDParameters::setDensityWeight(DensityWeight density_weight)
+{
+  preparation_.density = density_weight;
+  forgetScan();
+}
+
+void
+CIDParameters::setDensityPower(float density_power)
+{
+  require(setting::density_power, density_power);
+  preparation_.density_power = density_power;
+  forgetScan();
+}
+
+void
+CIDParameters::setIsolatedNeighbors(int isolated_neighbors)
+{
+  require(setting::isolated_neighbors, isolated_neighbors);
+  preparation_.isolated_neighbors = isolated_neighbors;
+  forgetScan();
+}
+
+void
+CIDParameters::setColorWeight(float color_weight)
+{
+  require(setting::color, color_weight);
+  preparation_.color = color_weight;
+  forgetScan();
+}
+
+void
+CIDParameters::setColors(const ColorsConstPtr& colors)
+{
+  colors_ = colors;
+  forgetScan();
+}
+
+void
+CIDParameters::setFillBlindSpot(bool fill_blind_spot)
+{
+  preparation_.blind_spot = fill_blind_spot;
+  forgetScan();
+}
+
+void
+CIDParameters::setSearchMethod(const SearchPtr& search_method)
+{
+  preparation_.search_method = search_method;
+  forgetScan();
+}
+
+void
+CIDParameters::setMemoryBudget(std::size_t memory_budget)
+{
+  preparation_.memory_budget = memory_budget;
+  forgetScan();
+}
+
+void
+CIDParameters::setNumberOfThreads(unsigned int number_of_threads)
+{
+  require(setting::threads, number_of_threads);
+  number_of_threads_ = number_of_threads;
+}
+
+ExecutionOptions
+CIDParameters::execution(double begin, double end) const
+{
+  ExecutionOptions options;
+  options.threads = number_of_threads_;
+  if (progress_)
+    options.progress = [callback = progress_, begin, end](double fraction) {
+      return callback(begin + (end - begin) * fraction);
+    };
+  return options;
+}
+
+void
+CIDParameters::forgetScan()
+{
+  scan_.reset();
+  scan_is_given_ = false;
+  grouping_.reset();
+  grouping_is_given_ = false;
+  own_.reset();
+  proposed_.reset();
+  proposal_ = SeedProposal();
+}
+
+void
+CIDParameters::setPreparedScan(const PreparedScan::ConstPtr& scan)
+{
+  if (!scan)
+    throw CIDException("the prepared scan is null; it must be one");
+  forgetScan();
+  preparation_ = scan->settings();
+  scan_ = scan;
+  scan_is_given_ = true;
+}
+
+const PreparedScan::ConstPtr&
+CIDParameters::prepareScan()
+{
+  if (!scan_)
+    scan_ = std::make_shared<const PreparedScan>(
+        gatherScan(), preparation_, execution(0.0, 0.0));
+  return scan_;
+}
+
+/** A subsample that is drawn here holds the seeds that were given, and no others. */
+void
+CIDParameters::requireInSubsample(const pcl::Indices& seeds)
+{
+  if (scan_is_given_ || preparation_.subsample == 0 || preparation_.required == seeds)
+    return;
+  preparation_.required = seeds;
+  forgetScan();
+}
+
+/** Whether a grouping is what the settings would make, CIDs aside. */
+bool
+CIDParameters::fits(const Grouping& grouping) const
+{
+  return grouping.settings().samples == grouping_settings_.samples &&
+         grouping.settings().seeding == grouping_settings_.seeding;
+}
+
+std::shared_ptr<Grouping>
+CIDParameters::newGrouping()
+{
+  return std::make_shared<Grouping>(prepareScan(), grouping_settings_);
+}
+
+void
+CIDParameters::proposeSeeds(const char* caller, const ExecutionOptions& execution)
+{
+  proposal_ = SeedProposal();
+  if (grouping_is_given_ && fits(*grouping_)) {
+    publish(execution);
+    return;
+  }
+  requireInSubsample({});
+  const bool goes_on = proposed_ && fits(*grouping_) &&
+                       proposed_->coverage == coverage_ &&
+                       proposed_->seeds <= number_of_seeds_;
+  const auto wanted = static_cast<std::size_t>(number_of_seeds_);
+  if (!goes_on || proposed_->seeds < number_of_seeds_) {
+    const auto grouping = goes_on ? changeableGrouping() : newGrouping();
+    grouping->propose(wanted, coverage_, execution);
+    publish(grouping, execution);
+  }
+  else
+    publish(execution);
+  proposed_ = Request{number_of_seeds_, coverage_};
+  warnIfShort(caller, wanted);
+}
+
+void
+CIDParameters::extendSeeds(int number_of_seeds,
+                           const char* caller,
+                           const ExecutionOptions& execution)
+{
+  proposal_ = SeedProposal();
+  require(setting::seeds, number_of_seeds);
+  if (!grouping_)
+    throw CIDException("there is no sample of this input cloud to extend, or a setting "
+                       "of the preparation has changed since; call sample");
+  if (!fits(*grouping_))
+    throw CIDException("the number of samples on a segment or the seeding rule has "
+                       "changed since the sample; what is extended must keep them");
+  const auto wanted = static_cast<std::size_t>(number_of_seeds);
+  const auto grouping = changeableGrouping();
+  grouping->propose(wanted, coverage_, execution);
+  publish(grouping, execution);
+  proposed_ = Request{number_of_seeds, coverage_};
+  warnIfShort(caller, wanted);
+}
+
+void
+CIDParameters::groupBySeeds(const pcl::Indices& seeds,
+                            const ExecutionOptions& execution)
+{
+  proposal_ = SeedProposal();
+  requireInSubsample(seeds);
+  if (grouping_ && fits(*grouping_) && grouping_->seeds() == seeds) {
+    publish(execution);
+    return;
+  }
+  const auto grouping = newGrouping();
+  grouping->addSeeds(seeds, execution);
+  publish(grouping, execution);
+}
+
+void
+CIDParameters::adoptGrouping(const Grouping::ConstPtr& grouping)
+{
+  if (!grouping)
+    throw CIDException("the grouping is null; it must be one");
+  setPreparedScan(grouping->sharedScan());
+  grouping_settings_ = grouping->settings();
+  grouping_ = grouping;
+  grouping_is_given_ = true;
+}
+
+std::shared_ptr<Grouping>
+CIDParameters::changeableGrouping() const
+{
+  constexpr long here = 2; // own_ and grouping_
+  if (own_ && own_.use_count() <= here)
+    return own_;
+  return std::make_shared<Grouping>(*grouping_);
+}
+
+void
+CIDParameters::publish(const std::shared_ptr<Grouping>& grouping,
+                       const ExecutionOptions& execution)
+{
+  own_ = grouping;
+  grouping_ = grouping;
+  grouping_is_given_ = false;
+  proposed_.reset();
+  publish(execution);
+}
+
+void
+CIDParameters::publish(const ExecutionOptions& execution)
+{
+  const ExecutionOptions silent{execution.threads, {}};
+  proposal_ = grouping_->proposal(silent);
+  if (grouping_settings_.keep_cid && proposal_.cid.empty())
+    proposal_.cid = grouping_->cids(silent);
+}
+
+void
+CIDParameters::warnIfShort(const char* caller, std::size_t wanted) const
+{
+  const std::size_t found = proposal_.seeds.size();
+  const float reached = proposal_.coverage.back();
+  const bool covered = reached <= coverage_;
+  if (found < wanted && !(covered && coverage_ > 0.0f))
+    PCL_WARN("[pcl_cid::%s] only %zu seeds instead of %zu: no other candidate is apart "
+             "from them\n",
+             caller,
+             found,
+             wanted);
+  if (coverage_ > 0.0f && !covered)
+    PCL_WARN("[pcl_cid::%s] coverage is %g instead of %g metres after %zu seeds\n",
+             caller,
+             static_cast<double>(reached),
+             static_cast<double>(coverage_),
+             found);
+}
+
+} // namespace pcl_cid

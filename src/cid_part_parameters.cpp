@@ -1,0 +1,170 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The settings of parts and hulls, and the way from groups to them.
+ */
+
+#include <pcl_cid/cid_part_parameters.h>
+#include <pcl_cid/exceptions.h>
+
+#include <algorithm>
+#include <string>
+
+namespace pcl_cid {
+
+void
+CIDPartParameters::setNumberOfParts(int number_of_parts)
+{
+  require(setting::parts, number_of_parts);
+  merge_cut_ = {MergeCut::Rule::parts, static_cast<std::size_t>(number_of_parts), 0.0};
+}
+
+void
+CIDPartParameters::setMergeThreshold(double merge_threshold)
+{
+  require(setting::threshold, merge_threshold);
+  merge_cut_ = {MergeCut::Rule::threshold, 0, merge_threshold};
+}
+
+void
+CIDPartParameters::setNumberOfMerges(int number_of_merges)
+{
+  require(setting::merges, number_of_merges);
+  merge_cut_ = {
+      MergeCut::Rule::merges, static_cast<std::size_t>(number_of_merges), 0.0};
+}
+
+void
+CIDPartParameters::setMinPoints(int min_points)
+{
+  require(setting::min_points, min_points);
+  min_points_ = min_points;
+}
+
+void
+CIDPartParameters::setGroupSampleSize(int group_sample_size)
+{
+  require(setting::group_samples, group_sample_size);
+  group_sample_size_ = group_sample_size;
+}
+
+void
+CIDPartParameters::setHullOptions(const ConvexPartOptions& hull_options)
+{
+  requireValid(hull_options);
+  hull_options_ = hull_options;
+}
+
+template <typename Value>
+void
+CIDPartParameters::setHullOption(Value ConvexPartOptions::*option, Value value)
+{
+  ConvexPartOptions options = hull_options_;
+  options.*option = value;
+  setHullOptions(options);
+}
+
+void
+CIDPartParameters::setMinThickness(double min_thickness)
+{
+  setHullOption(&ConvexPartOptions::min_thickness, min_thickness);
+}
+
+void
+CIDPartParameters::setMaxVertices(int max_vertices)
+{
+  require(setting::max_vertices, max_vertices);
+  setHullOption(&ConvexPartOptions::max_vertices,
+                static_cast<std::size_t>(max_vertices));
+}
+
+void
+CIDPartParameters::setPadding(double padding)
+{
+  setHullOption(&ConvexPartOptions::padding, padding);
+}
+
+void
+CIDPartParameters::setTrimDistance(double trim_distance)
+{
+  setHullOption(&ConvexPartOptions::trim_distance, trim_distance);
+}
+
+std::vector<int>
+CIDPartParameters::cutGroups(const Grouping::ConstPtr& grouping,
+                             const ExecutionOptions& execution)
+{
+  MergingSettings settings;
+  settings.group_samples = static_cast<std::size_t>(group_sample_size_);
+  if (stop_at_cut_)
+    settings.stopAt(merge_cut_, grouping->numberOfSeeds());
+  if (merged_ != grouping || !(merged_with_ == settings)) {
+    merged_.reset();
+    merge_tree_ = MergeTree();
+    merge_tree_ = mergeGroups(*grouping, settings, execution);
+    merged_ = grouping;
+    merged_with_ = settings;
+  }
+  return merge_tree_.cut(merge_cut_);
+}
+
+std::vector<int>
+CIDPartParameters::partOfEachPoint(const std::vector<pcl::index_t>& group,
+                                   const std::vector<int>& cut)
+{
+  if (cut.empty() || cut.size() != merge_tree_.numberOfGroups() || group.empty())
+    throw CIDException("the cut has " + std::to_string(cut.size()) +
+                       " groups; it must be one of the merge tree of this input, which "
+                       "has " +
+                       std::to_string(merge_tree_.numberOfGroups()));
+  std::vector<int> part(group.size(), -1);
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (group[i] >= 0)
+      part[i] = cut[static_cast<std::size_t>(group[i])];
+  dropSmallParts(part);
+  return part;
+}
+
+void
+CIDPartParameters::dropSmallParts(std::vector<int>& part)
+{
+  std::vector<std::size_t> size;
+  for (const int number : part)
+    if (number >= 0) {
+      size.resize(std::max(size.size(), static_cast<std::size_t>(number) + 1));
+      ++size[static_cast<std::size_t>(number)];
+    }
+  std::vector<int> new_number(size.size(), -1);
+  int kept = 0;
+  for (std::size_t k = 0; k < size.size(); ++k)
+    if (size[k] >= static_cast<std::size_t>(min_points_))
+      new_number[k] = kept++;
+  if (kept == 0)
+    throw CIDException("all " + std::to_string(size.size()) +
+                       " parts have fewer than " + std::to_string(min_points_) +
+                       " points, the least number asked for; choose a smaller one");
+  dropped_points_ = 0;
+  for (int& number : part)
+    if (number >= 0) {
+      number = new_number[static_cast<std::size_t>(number)];
+      dropped_points_ += number < 0 ? 1 : 0;
+    }
+}
+
+std::vector<ConvexPart>
+CIDPartParameters::makeParts(const Grouping& grouping,
+                             const std::vector<int>& part_of_each_point,
+                             const ExecutionOptions& execution) const
+{
+  const PointSet& points = grouping.scan().points();
+  std::vector<int> part;
+  part.reserve(points.size());
+  for (const pcl::index_t source : points.source)
+    part.push_back(part_of_each_point[static_cast<std::size_t>(source)]);
+  return makeConvexParts(points, part, hull_options_, execution);
+}
+
+} // namespace pcl_cid

@@ -1,0 +1,129 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Loops over ranges on several threads; all that this library knows of threads.
+ */
+
+#include "parallel_for.h"
+
+#include <pcl_cid/core/settings.h>
+
+#include <thread>
+#include <utility>
+
+#include <pthread.h>
+#include <sched.h>
+
+namespace pcl_cid {
+namespace {
+
+Helpers* of_process = nullptr;
+
+void
+makeOfProcess()
+{
+  of_process = new Helpers(
+      [](std::function<void()> help) { std::thread(std::move(help)).detach(); });
+}
+
+} // namespace
+
+int
+threadCount(unsigned int setting)
+{
+  if (setting != 0)
+    return static_cast<int>(std::min(setting, setting::threads.most));
+  // std::thread::hardware_concurrency() counts processors that the process may not use.
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
+    return CPU_COUNT(&allowed);
+  return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+}
+
+Helpers::Helpers(Starter start)
+: start_(std::move(start)), most_(static_cast<std::size_t>(threadCount(0)) - 1)
+{
+}
+
+/** Never destroyed: helpers sleep in it when the process ends, and callers may still be
+ *  at work. Threads do not survive a fork, so a child that is forked begins anew. */
+Helpers&
+Helpers::ofProcess()
+{
+  static const int made = [] {
+    makeOfProcess();
+    return pthread_atfork(nullptr, nullptr, makeOfProcess);
+  }();
+  static_cast<void>(made);
+  return *of_process;
+}
+
+void
+Helpers::share(std::size_t helpers, const std::function<void()>& work)
+{
+  Job job{work, helpers};
+  std::unique_lock<std::mutex> lock(mutex_);
+  most_ = std::max(most_, helpers);
+  jobs_.push_back(&job);
+  startMissing();
+  lock.unlock();
+  for (std::size_t k = 0; k < helpers; ++k)
+    asked_.notify_one();
+  work();
+  lock.lock();
+  close(job); // whoever comes from now on finds nothing of it: it is about to vanish
+  job.left.wait(lock, [&] { return job.inside == 0; });
+}
+
+/** Start helpers until as many are free as are wanted, or until that fails: the next
+ *  job tries again. */
+void
+Helpers::startMissing()
+{
+  std::size_t wanted = 0;
+  for (const Job* job : jobs_)
+    wanted += job->wanted;
+  try {
+    while (started_ < most_ && started_ - busy_ < wanted) {
+      start_([this] { help(); });
+      ++started_;
+    }
+  }
+  catch (const std::exception&) {
+    // The work is done by those that there are.
+  }
+}
+
+/** No more helpers for a job: they are there, or nothing is left to begin. */
+void
+Helpers::close(const Job& job)
+{
+  jobs_.erase(std::remove(jobs_.begin(), jobs_.end(), &job), jobs_.end());
+}
+
+/** A helper's life. */
+void
+Helpers::help()
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  for (;;) {
+    asked_.wait(lock, [this] { return !jobs_.empty(); });
+    Job& job = *jobs_.front();
+    if (--job.wanted == 0)
+      close(job);
+    ++job.inside;
+    ++busy_;
+    lock.unlock();
+    job.work();
+    lock.lock();
+    --busy_;
+    close(job);
+    if (--job.inside == 0)
+      job.left.notify_one();
+  }
+}
+
+} // namespace pcl_cid
