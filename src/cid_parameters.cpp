@@ -177,7 +177,7 @@ CIDParameters::setPreparedScan(const PreparedScan::ConstPtr& scan)
 }
 
 const PreparedScan::ConstPtr&
-CIDParameters::prepareScan()
+CIDParameters::prepare()
 {
   if (!scan_)
     scan_ = std::make_shared<const PreparedScan>(
@@ -206,7 +206,7 @@ CIDParameters::fits(const Grouping& grouping) const
 std::shared_ptr<Grouping>
 CIDParameters::newGrouping()
 {
-  return std::make_shared<Grouping>(prepareScan(), grouping_settings_);
+  return std::make_shared<Grouping>(prepare(), grouping_settings_);
 }
 
 void

@@ -275,6 +275,12 @@ public:
   void
   setPreparedScan(const PreparedScan::ConstPtr& scan);
 
+  /** \brief Prepare the input now, unless that is done: what the first verb does.
+   *  \return never null
+   *  \throws CIDException when the input is missing or unusable, CIDCancelled */
+  const PreparedScan::ConstPtr&
+  prepare();
+
   /** \brief The scan that the last verb prepared or that was set; null before. */
   const PreparedScan::ConstPtr&
   getPreparedScan() const
@@ -333,10 +339,6 @@ protected:
    *  is of no use any more. */
   void
   forgetScan();
-
-  /** \brief The prepared scan, prepared when there is none. */
-  const PreparedScan::ConstPtr&
-  prepareScan();
 
   /** \brief Let a verb keep exact CIDs in the proposal. */
   void

@@ -9,12 +9,13 @@
 
 #include "benchmark_cloud.h"
 
+#include "base/random.h"
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/group_merging.h>
-#include "base/random.h"
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/io/labelled_cloud.h>
 
 #include <benchmark/benchmark.h>
@@ -29,14 +30,35 @@
 namespace pcl_cid::benchmarks {
 namespace {
 
-constexpr int samples = 100; // M
+constexpr int samples = 100;       // M
+constexpr std::size_t seeds = 100; // K
 constexpr std::size_t queries = 1 << 14;
+
+PreparedScan::ConstPtr
+prepareAsPaper(RawScan scan)
+{
+  PreparationSettings settings;
+  settings.density = DensityWeight::off;
+  settings.isolated_neighbors = 0;
+  settings.blind_spot = false;
+  return std::make_shared<const PreparedScan>(std::move(scan), settings);
+}
+
+GroupingSettings
+withCIDs(bool keep_cid)
+{
+  GroupingSettings settings;
+  settings.samples = samples;
+  settings.keep_cid = keep_cid;
+  return settings;
+}
 
 /** A room, and what its steps hand on to each other; each made once, when asked for. */
 class Room {
 public:
   Room(RoomScan scan, std::size_t points)
   : points_(finitePoints(*makeRoomCloud(scan, points)))
+  , scan_(prepareAsPaper({points_, points_.size(), {}, {}, {}}))
   {
   }
 
@@ -52,38 +74,40 @@ public:
     return points_.points;
   }
 
-  const DistanceField&
-  field()
+  const PreparedScan::ConstPtr&
+  scan() const
   {
-    if (!field_)
-      field_ = std::make_unique<DistanceField>(points());
-    return *field_;
+    return scan_;
   }
 
-  const SeedProposal&
-  proposal()
+  const DistanceField&
+  field() const
   {
-    if (proposal_.seeds.empty())
-      proposal_ = proposeSeeds(field(), points(), 0, SeedProposalOptions());
-    return proposal_;
+    return scan_->field();
+  }
+
+  const Grouping&
+  grouping()
+  {
+    if (!grouping_) {
+      grouping_ = std::make_unique<Grouping>(scan_, withCIDs(true));
+      grouping_->propose(seeds);
+    }
+    return *grouping_;
   }
 
   const MergeTree&
   mergeTree()
   {
     if (merge_tree_.numberOfGroups() == 0)
-      merge_tree_ = mergeGroups(field(),
-                                points(),
-                                proposal().group,
-                                proposal().seeds.size(),
-                                GroupMergingOptions());
+      merge_tree_ = mergeGroups(grouping());
     return merge_tree_;
   }
 
 private:
   PointSet points_;
-  std::unique_ptr<DistanceField> field_;
-  SeedProposal proposal_;
+  PreparedScan::ConstPtr scan_;
+  std::unique_ptr<Grouping> grouping_;
   MergeTree merge_tree_;
 };
 
@@ -112,7 +136,7 @@ std::vector<Query>
 drawSegments(Room& room)
 {
   RandomGenerator generator(0);
-  const pcl::Indices& seeds = room.proposal().seeds;
+  const pcl::Indices& seeds = room.grouping().seeds();
   std::vector<Query> segments;
   for (std::size_t i = 0; i < queries; ++i) {
     const std::size_t point = drawBelow(generator, room.points().size());
@@ -193,7 +217,7 @@ pointCIDWithLimit(benchmark::State& state)
 {
   Room& room = roomOf(state);
   const DistanceField& field = room.field();
-  const std::vector<float>& cid = room.proposal().cid;
+  const std::vector<float> cid = room.grouping().cids();
   timeEach(state, drawSegments(room), [&](const Query& segment) {
     return pointCID(field, segment.p, segment.q, samples, cid[segment.point]);
   });
@@ -202,36 +226,30 @@ pointCIDWithLimit(benchmark::State& state)
 void
 seedProposal(benchmark::State& state)
 {
-  Room& room = roomOf(state);
-  const DistanceField& field = room.field();
-  SeedProposalOptions options;
-  options.keep_cid = false;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(proposeSeeds(field, room.points(), 0, options));
+  const Room& room = roomOf(state);
+  for (auto _ : state) {
+    Grouping grouping(room.scan(), withCIDs(false));
+    benchmark::DoNotOptimize(grouping.propose(seeds));
+  }
 }
 
 void
 seedProposalWithCIDs(benchmark::State& state)
 {
-  Room& room = roomOf(state);
-  const DistanceField& field = room.field();
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        proposeSeeds(field, room.points(), 0, SeedProposalOptions()));
+  const Room& room = roomOf(state);
+  for (auto _ : state) {
+    Grouping grouping(room.scan(), withCIDs(true));
+    benchmark::DoNotOptimize(grouping.propose(seeds));
+  }
 }
 
 void
 groupMerging(benchmark::State& state)
 {
   Room& room = roomOf(state);
-  const DistanceField& field = room.field();
-  const SeedProposal& proposal = room.proposal();
+  const Grouping& grouping = room.grouping();
   for (auto _ : state)
-    benchmark::DoNotOptimize(mergeGroups(field,
-                                         room.points(),
-                                         proposal.group,
-                                         proposal.seeds.size(),
-                                         GroupMergingOptions()));
+    benchmark::DoNotOptimize(mergeGroups(grouping));
 }
 
 /** The hulls of 30 parts. */
@@ -241,7 +259,7 @@ convexHulls(benchmark::State& state)
   Room& room = roomOf(state);
   const std::vector<int> part_of_group = room.mergeTree().cutAtParts(30);
   std::vector<int> part;
-  for (const pcl::index_t group : room.proposal().group)
+  for (const pcl::index_t group : room.grouping().groups())
     part.push_back(part_of_group[static_cast<std::size_t>(group)]);
   for (auto _ : state)
     benchmark::DoNotOptimize(makeConvexParts(

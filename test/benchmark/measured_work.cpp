@@ -12,12 +12,13 @@
 #include "literal_method.h"
 
 #include "base/parallel_for.h"
+#include "base/random.h"
 
+#include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/cid_sampler.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/prepared_scan.h>
-#include "base/random.h"
 #include <pcl_cid/io/labelled_cloud.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ constexpr int extended_by = 10;
 constexpr std::size_t parts_of_cut = 30;
 constexpr std::size_t checked_points = 50;
 /** The literal method would go through the points in their order, for which the caches
- *  of the processor thank it: the pairs are drawn in runs of neighbours. */
+ *  of the processor thank it: the pairs are drawn in runs of neighbors. */
 constexpr std::size_t literal_run = 16;
 /** Runs between two looks at the clock. */
 constexpr std::size_t literal_batch = 32;
@@ -73,41 +74,23 @@ configureAsPaper(const Work& work, CIDParameters& parameters)
   parameters.setFillBlindSpot(false);
 }
 
-/** Algorithm 1 begun: what comes before the seeds and what comes after them. */
-class Decomposition {
-public:
-  Decomposition(const Work& work, const Cloud& cloud)
-  {
-    configureAsPaper(work, parameters_);
-    execution_.threads = work.threads;
-    ready_ = prepare({finitePoints(cloud), {}, {}, {}}, {}, parameters_, execution_);
-  }
+/** A scan made ready with the settings of the paper. */
+PreparedScan::ConstPtr
+prepareAsPaper(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  CIDSampler<pcl::PointXYZ> sampler;
+  sampler.setInputCloud(cloud);
+  configureAsPaper(work, sampler);
+  return sampler.prepare();
+}
 
-  SeedProposal
-  proposeSeeds() const
-  {
-    return propose(ready_, parameters_, false, execution_, "cid_end_to_end");
-  }
-
-  MergeTree
-  mergeGroups(const SeedProposal& proposal, std::size_t parts) const
-  {
-    GroupMergingOptions options;
-    options.samples = parameters_.getNumberOfSamples();
-    options.stop_at_parts = parts;
-    options.execution = execution_;
-    return pcl_cid::mergeGroups(ready_.working->field(),
-                                ready_.working->points(),
-                                proposal.group,
-                                proposal.seeds.size(),
-                                options);
-  }
-
-private:
-  CIDParameters parameters_;
-  ExecutionOptions execution_;
-  Preparation ready_;
-};
+Grouping
+emptyGrouping(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  GroupingSettings settings;
+  settings.samples = work.samples;
+  return Grouping(prepareAsPaper(work, cloud), settings);
+}
 
 using Configure = void (*)(const Work&, CIDParameters&);
 
@@ -160,10 +143,10 @@ extend(const Work& work, const Cloud::ConstPtr& cloud)
 Measurement
 seeds(const Work& work, const Cloud::ConstPtr& cloud)
 {
-  const Decomposition decomposition(work, *cloud);
+  Grouping grouping = emptyGrouping(work, cloud);
   Measurement result;
   const Stopwatch watch;
-  decomposition.proposeSeeds();
+  grouping.propose(static_cast<std::size_t>(work.seeds), 0.0f, {work.threads, {}});
   result.seconds = watch.seconds();
   return result;
 }
@@ -171,11 +154,13 @@ seeds(const Work& work, const Cloud::ConstPtr& cloud)
 Measurement
 mergeTo(std::size_t parts, const Work& work, const Cloud::ConstPtr& cloud)
 {
-  const Decomposition decomposition(work, *cloud);
-  const SeedProposal proposal = decomposition.proposeSeeds();
+  Grouping grouping = emptyGrouping(work, cloud);
+  grouping.propose(static_cast<std::size_t>(work.seeds), 0.0f, {work.threads, {}});
+  MergingSettings settings;
+  settings.stop_at_parts = parts;
   Measurement result;
   const Stopwatch watch;
-  decomposition.mergeGroups(proposal, parts);
+  mergeGroups(grouping, settings, {work.threads, {}});
   result.seconds = watch.seconds();
   return result;
 }
@@ -304,6 +289,97 @@ check(const Work& work, const Cloud::ConstPtr& cloud)
   return result;
 }
 
+/** What sample() worked out serves the other two. */
+Measurement
+handle(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  CIDSampler<pcl::PointXYZ> sampler;
+  sampler.setInputCloud(cloud);
+  configureAsPaper(work, sampler);
+  Measurement result;
+  sampler.sample(result.seeds);
+  const Stopwatch watch;
+  CIDLabelPropagation<pcl::PointXYZ> propagation;
+  propagation.setGrouping(sampler.getGrouping());
+  propagation.setNumberOfThreads(work.threads);
+  std::vector<std::uint32_t> labels;
+  propagation.segment(labels);
+  CIDConvexAbstraction<pcl::PointXYZ> abstraction;
+  abstraction.setGrouping(sampler.getGrouping());
+  abstraction.setNumberOfThreads(work.threads);
+  abstraction.setNumberOfParts(static_cast<int>(parts_of_cut));
+  abstraction.setStopAtCut(true);
+  std::vector<ConvexPart> parts;
+  abstraction.reconstruct(parts);
+  result.seconds = watch.seconds();
+  return result;
+}
+
+constexpr std::size_t corrections = 100;
+
+double
+medianOf(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** A grouping as an annotator has it, and points at random to correct it with. */
+struct Corrected {
+  Corrected(const Work& work, const Cloud::ConstPtr& cloud)
+  : grouping(prepareAsPaper(work, cloud), {work.samples, SeedingRule::farthest, true})
+  , execution{work.threads, {}}
+  {
+    grouping.propose(static_cast<std::size_t>(work.seeds), 0.0f, execution);
+    const pcl::Indices& points = grouping.scan().points().source;
+    RandomGenerator generator(1); // not 0, whose first point is the start
+    while (clicks.size() < corrections)
+      clicks.push_back(points[drawBelow(generator, points.size())]);
+  }
+
+  Grouping grouping;
+  ExecutionOptions execution;
+  pcl::Indices clicks;
+};
+
+/** The median of 100, each on the same grouping. */
+Measurement
+addOneSeed(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  Corrected corrected(work, cloud);
+  Grouping& grouping = corrected.grouping;
+  std::vector<double> seconds;
+  for (const pcl::index_t click : corrected.clicks) {
+    const Stopwatch watch;
+    grouping.addSeeds({click}, corrected.execution);
+    seconds.push_back(watch.seconds());
+    grouping.removeSeeds({grouping.numberOfSeeds() - 1}, corrected.execution);
+  }
+  Measurement result;
+  result.seconds = medianOf(seconds);
+  return result;
+}
+
+/** The median over the seeds of the proposal, up to 100 of them, each put back. */
+Measurement
+removeOneSeed(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  Corrected corrected(work, cloud);
+  Grouping& grouping = corrected.grouping;
+  const pcl::Indices all = grouping.seeds();
+  std::vector<double> seconds;
+  for (std::size_t k = 0; k < std::min(all.size(), corrections); ++k) {
+    const Stopwatch watch;
+    grouping.removeSeeds({k}, corrected.execution);
+    seconds.push_back(watch.seconds());
+    grouping.insertSeeds({all[k]}, k, corrected.execution);
+  }
+  Measurement result;
+  result.seconds = medianOf(seconds);
+  return result;
+}
+
 using Perform = Measurement (*)(const Work&, const Cloud::ConstPtr&);
 
 const std::map<std::string, Perform>&
@@ -318,7 +394,10 @@ works()
       {"merge", merge},
       {"cut", cut},
       {"literal", literal},
-      {"check", check}};
+      {"check", check},
+      {"handle", handle},
+      {"add", addOneSeed},
+      {"remove", removeOneSeed}};
   return all;
 }
 

@@ -44,7 +44,10 @@ struct Work {
  *  consecutive points, scaled up to all pairs; building the tree counts and is not
  *  scaled
  *  \li `check`: not a measurement; LiteralMethod for some points and all seeds must
- *  find the groups that `segment` finds */
+ *  find the groups that `segment` finds
+ *  \li `handle`: labels and 30 hulls from the groups that CIDSampler has found
+ *  \li `add`, `remove`: one seed joins, or leaves, a grouping with K seeds; the median of
+ *  100 */
 bool
 isWork(const std::string& name);
 

@@ -9,8 +9,8 @@
 
 #include "peer_method.h"
 
-#include <pcl_cid/core/distance_field.h>
 #include "base/random.h"
+#include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

@@ -66,7 +66,7 @@ segment(const PeerScan& scan, const WCSegSettings& settings)
   const auto neighbours = nearestNeighbours(working.points(), graph_neighbours);
   OrientedPoints surface{working.points(), normalsOf(cloud)};
   // The working set is about an origin of its own, and so are its viewpoints.
-  const Eigen::Vector3f origin = finitePoints(*scan.cloud).origin.cast<float>();
+  const Eigen::Vector3f origin = working.all().frame.origin.cast<float>();
   std::vector<Eigen::Vector3f> viewpoints;
   for (const Eigen::Vector3f& viewpoint : scan.viewpoints)
     viewpoints.emplace_back(viewpoint - origin);
@@ -75,13 +75,11 @@ segment(const PeerScan& scan, const WCSegSettings& settings)
 
   WeakConvexityOptions options = settings.options;
   options.reach = settings.reach_spacings * pointSpacing(*cloud);
-  SeedProposal proposal;
-  for (const int number :
-       findWeaklyConvexSegments(surface, working.field(), neighbours, options))
-    proposal.group.push_back(number);
+  const std::vector<int> segments =
+      findWeaklyConvexSegments(surface, working.field(), neighbours, options);
   Measurement result;
   // A dropped segment is -1, and so its label is 0.
-  result.labels = labelsOfGroups(working.carryOn(proposal, scan.cloud->size()).group);
+  result.labels = labelsOfGroups(working.carryOn(segments, scan.cloud->size(), -1));
   return result;
 }
 
