@@ -18,7 +18,7 @@
 namespace pcl_cid {
 namespace {
 
-/** The spacing that the neighbours of a point have among themselves. */
+/** The spacing that the neighbors of a point have among themselves. */
 float
 spacingAround(const NearestNeighbors& neighbors, std::size_t point)
 {
