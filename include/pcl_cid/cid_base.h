@@ -24,8 +24,8 @@ namespace pcl_cid {
  *  CIDConvexAbstraction share.
  *
  *  The input cloud and, when set, its indices say which points are grouped. Points that
- *  are not finite are passed over, whatever `is_dense` claims; an index that is given
- *  twice counts once. Coordinates may be at UTM offsets (see PointSet). The unit is the
+ *  are not finite are skipped, whatever `is_dense` claims; an index that is given twice
+ *  counts once. Coordinates may be at UTM offsets (see PointSet). The unit is the
  *  cloud's; "metres" in this documentation stands for it.
  *
  *  Every result is the same, to the byte, for each number of threads and each run. An

@@ -129,8 +129,8 @@ public:
   }
 
   /** \brief The points of the input cloud that may become seeds; null, the default,
-   *  means all that are grouped. Those that are not grouped are passed over. A setting
-   *  of the preparation. */
+   *  means all that are grouped. Those that are not grouped are skipped. A setting of
+   *  the preparation. */
   void
   setSeedCandidates(const pcl::shared_ptr<const pcl::Indices>& seed_candidates);
 

@@ -203,7 +203,7 @@ private:
   std::size_t dropped_points_ = 0;
   ConvexPartOptions hull_options_;
   MergeTree merge_tree_;
-  Grouping::ConstPtr merged_; ///< whose tree that is
+  Grouping::ConstPtr merged_; ///< the grouping of merge_tree_
   MergingSettings merged_with_;
 };
 

@@ -34,7 +34,7 @@ struct TriangleMesh {
 };
 
 /** \brief Share of a hull's diagonal by which it may miss a point of its part, and by
- *  which a vertex may stand out of the plane of a face. */
+ *  which a vertex may stick out of the plane of a face. */
 constexpr double hull_tolerance = 1e-5;
 
 /** \brief How hulls are made. */

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * How tightly hulls fit the scan that they stand for.
+ * How tightly hulls fit the scan that they represent.
  */
 
 #pragma once

@@ -94,7 +94,7 @@ Helpers::startMissing()
     }
   }
   catch (const std::exception&) {
-    // The threads that there are do the work.
+    // The threads that have been started do the work.
   }
 }
 

@@ -22,8 +22,8 @@
 
 namespace pcl_cid {
 
-/** \brief The number of threads that a setting stands for (0: one for each processor
- *  that this process may run on). */
+/** \brief The number of threads that a setting means (0: one for each processor that
+ *  this process may run on). */
 int
 threadCount(unsigned int setting);
 
@@ -95,7 +95,7 @@ struct ProgressSpan {
  *  \param[in] threads as from threadCount()
  *  \param[in,out] progress told of the ranges of its own thread; ends the loop when it
  *  was cancelled
- *  \param[in] span the fractions that this loop stands for
+ *  \param[in] span the share of the job that this loop is
  *  \param[in] body callable as void(std::size_t begin, std::size_t end)
  *  \throws CIDCancelled, and whatever \a body or the callback throws (the first of
  *  them) */

@@ -193,8 +193,8 @@ private:
         lookUp(end);
   }
 
-  /** Look up those samples of a level whose caps are no smaller than a target, side by
-   *  side. */
+  /** Take a look at those samples of a level whose caps are no smaller than a target,
+   *  all in one batch. */
   void
   lookUpAbove(const SampleOrder::Level& level, float target)
   {

@@ -27,7 +27,7 @@ namespace pcl_cid {
 
 /** \brief D_min of Algorithm 1 and its argument for every point: exactly what comparing
  *  all pairs would give, with most pairs never looked at. Where pairs have a cost, that
- *  stands in the place of the CID throughout: it never falls when the CID grows.
+ *  replaces the CID throughout: it never falls when the CID grows.
  *
  *  A new seed is first compared with whole blocks of points, down a tree of blocks. For
  *  a point p within R of the center c of its block, sample l of the segment from the
@@ -162,7 +162,7 @@ private:
     float low;               ///< at most the cost of the two
     bool is_exact = false;   ///< it is the cost
     std::size_t hint = 0;    ///< the sample to look at first
-    std::int32_t rival = -1; ///< where it stands among the rivals of the block
+    std::int32_t rival = -1; ///< its place among the rivals of the block
 
     /** The smaller CID wins; at equal CID the earlier seed. */
     bool

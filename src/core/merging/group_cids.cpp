@@ -161,7 +161,7 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
   return std::max(largest * (1.0f - rounding) - segment.slack, 0.0f);
 }
 
-/** Where the progress stands, if all pairs were to be made exact. */
+/** The share of the progress, as if all pairs were to be made exact. */
 ProgressSpan
 GroupCIDs::share() const
 {

@@ -69,7 +69,7 @@ drawFromGroups(const Points& points,
   return members;
 }
 
-/** Pairs of groups that are worked on side by side, when the next merge depends on one.
+/** Pairs of groups that are tightened in parallel, when the next merge depends on one.
  */
 constexpr std::size_t most_at_once = 16;
 

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points that stand apart from all others.
+ * Isolated points: those with too few others near them.
  */
 
 #include "base/requirements.h"

@@ -300,7 +300,7 @@ private:
           colorsInMetres(*made_.set_, scan_.colors, neighbors, settings_.color);
   }
 
-  /** Isolated points are passed over, unless nothing else is left. */
+  /** Isolated points are no candidates, unless nothing else is left. */
   void
   passOverIsolated()
   {
