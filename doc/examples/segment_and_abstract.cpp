@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * README's example: a scan is prepared once, labelled, corrected, and turned into hulls.
+ * README's example: a scan is prepared once; labels, a correction, and hulls share it.
  */
 
 #include <pcl_cid/io/mesh_export.h>
