@@ -57,7 +57,7 @@ def requirement(name, bound, measured, at_least=False):
 
 
 def ratio(results, above, below):
-    """Of the median times of two cases, None when one was not measured."""
+    """Ratio of the median times of two cases; None when one was not measured."""
     if above not in results or below not in results:
         return None
     return results[above].median / results[below].median

@@ -4,7 +4,7 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# What parts of a scan (PLY, label) have to do with its largest planes, and how large they are.
+# How the parts of a scan (PLY, label) cover its largest planes, and how large the parts are.
 
 import argparse
 
@@ -13,7 +13,7 @@ import numpy as np
 from render_pictures import read_ply_vertices
 
 DRAWS = 2000
-# Points that judge a plane that was drawn.
+# Points that each drawn plane is scored on.
 JUDGES = 10000
 # Parts with a smaller share of a plane are not counted.
 SMALL_SHARE = 0.05
@@ -25,14 +25,14 @@ def distances(places, plane):
 
 
 def plane_through(places):
-    """The best one in the sense of least squares."""
+    """The plane of least squares."""
     middle = places.mean(axis=0)
     _, vectors = np.linalg.eigh(np.cov((places - middle).T))
     return vectors[:, 0], vectors[:, 0] @ middle
 
 
 def largest_plane(places, thickness, generator):
-    """That which most of the places are on, by RANSAC."""
+    """The plane that most of the points are on, by RANSAC."""
     judges = places[generator.choice(len(places), min(JUDGES, len(places)), replace=False)]
     best, most = None, -1
     for _ in range(DRAWS):
@@ -49,7 +49,7 @@ def largest_plane(places, thickness, generator):
 
 
 def row_of(plane, on, labels, near):
-    """What holds the points of a plane; `near` are all that might be said to be on it."""
+    """What the table says of a plane; `near` are all points that may be said to be on it."""
     parts, counts = np.unique(labels[on], return_counts=True)
     first = parts[np.argmax(counts)]
     inside = labels == first

@@ -274,13 +274,13 @@ def small_scans(folder):
 
 
 def without_times(text):
-    """What a tool prints, but for what may differ from run to run."""
+    """What a tool prints, without what may differ from run to run."""
     text = re.sub(r"\[done, \d+ ms :", "[done :", text)
     return re.sub(r"^(pcl_cid_\w+) \d+\.\d+\.\d+$", r"\1 VERSION", text, flags=re.MULTILINE)
 
 
 def report_without_times(text):
-    """A report, but for what may differ; the names of its steps stay."""
+    """A report without what may differ; the names of its steps stay."""
     def without_numbers(block):
         return re.sub(r": [-+.\de]+", ": 0", block.group())
 
@@ -302,7 +302,7 @@ def record_of_file(path):
 
 
 def output_files(folder):
-    """Those that a run has written; its inputs are links."""
+    """The files that a run has written; its inputs are links."""
     return [path for path in sorted(folder.rglob("*"))
             if path.is_file() and not path.is_symlink()]
 
@@ -374,13 +374,13 @@ def proposed_seeds(runs):
 
 
 def a_finite_point(runs):
-    """The index of one, where there is any."""
+    """The index of a finite point, where there is any."""
     rows = proposed_seeds(runs)
     return rows[-1]["index"] if rows else "0"
 
 
 def write_labelled_seeds(rows, path):
-    """What an annotator makes of the proposal: labels, some of them none, some not asked."""
+    """The proposal as an annotator fills it in: labels, some of them 0, some left empty."""
     with open(path, "w", newline="") as file:
         writer = csv.DictWriter(file, ["index", "x", "y", "z", "label"])
         writer.writeheader()
@@ -625,7 +625,7 @@ def differences_of_file(was, now):
 
 
 def differences_of_lines(was, now):
-    """None stands for a line that is not there."""
+    """Where two lists of lines differ; None stands for a missing line."""
     return [f"line {number} was {old!r}, is {new!r}"
             for number, (old, new) in enumerate(zip_longest(was, now), start=1) if old != new]
 
@@ -663,7 +663,7 @@ def differences_of_scan(was, now):
 
 
 def print_differences(was, now):
-    """Whether there are any."""
+    """Print the differences; return whether there are any."""
     found = [f"{scan}: {text}"
              for scan, texts in differences_by_key(was, now, differences_of_scan)
              for text in texts]

@@ -20,23 +20,23 @@ from PIL import Image
 from render_pictures import palette, read_ply_vertices
 
 
-# Of a picture: few make a small file.
+# Colors of a picture: few make a small file.
 COLOURS = 64
 
 
 def read_seeds(path):
-    """Their places, a row each."""
+    """The seeds' coordinates, a row for each."""
     with open(path, encoding="utf-8", newline="") as file:
         return np.array([[float(row[axis]) for axis in "xyz"] for row in csv.DictReader(file)])
 
 
 def as_camera(places):
-    """What the sensor saw that is at the origin and looks along z, y down; and how far off."""
+    """Right, up and depth, as seen by a sensor at the origin that looks along z, y down."""
     return places[:, 0] / places[:, 2], -places[:, 1] / places[:, 2], places[:, 2]
 
 
 def from_above(places, elevation, azimuth):
-    """Without perspective, and how far off; z is up."""
+    """Right, up and depth without perspective; z is up."""
     up, around = np.radians([elevation, azimuth])
     right = np.array([-np.sin(around), np.cos(around), 0])
     toward = np.array([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)])

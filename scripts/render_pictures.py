@@ -56,7 +56,7 @@ def read_obj(path):
 
 
 def palette(count):
-    """Colours that differ from their neighbours: steps of the golden angle."""
+    """Colors that differ from their neighbors: steps of the golden angle."""
     hue = (np.arange(count) * 0.61803398875) % 1.0
     value = 0.65 + 0.3 * ((np.arange(count) * 7) % 3) / 2
     return matplotlib.colors.hsv_to_rgb(

@@ -185,7 +185,8 @@ CIDParameters::prepare()
   return scan_;
 }
 
-/** A subsample that is drawn here holds the seeds that were given, and no others. */
+/** A subsample that is drawn here must hold the seeds that were given; another set of
+ *  seeds means another draw. */
 void
 CIDParameters::requireInSubsample(const pcl::Indices& seeds)
 {

@@ -24,15 +24,16 @@ namespace pcl_cid {
  *  CIDConvexAbstraction share.
  *
  *  The input cloud and, when set, its indices say which points are grouped. Points that
- *  are not finite are passed over, whatever `is_dense` claims; an index that is given
- *  twice counts once. Coordinates may be at UTM offsets (see PointSet). The unit is the
+ *  are not finite are skipped, whatever `is_dense` claims; an index that is given twice
+ *  counts once. Coordinates may be at UTM offsets (see PointSet). The unit is the
  *  cloud's; "metres" in this documentation stands for it.
  *
  *  Every result is the same, to the byte, for each number of threads and each run. An
  *  object serves one thread at a time; separate objects may work side by side.
  *
- *  The input is prepared by the first verb, and once (see CIDParameters). So its points
- *  must not change until another setInputCloud(), which is how to say that they have.
+ *  *Verbs* are the calls that work: sample(), segment(), reconstruct() and the like.
+ *  The first one prepares the input, once (see CIDParameters). So the points must not
+ *  change afterwards; when they have, call setInputCloud() again.
  *
  *  Every setter refuses a bad value at once; every verb throws CIDException when the
  *  input is missing or unusable, CIDCancelled when the progress callback says so, and

@@ -40,9 +40,10 @@ public:
   using Ptr = pcl::shared_ptr<CIDConvexAbstraction<PointT>>;
   using ConstPtr = pcl::shared_ptr<const CIDConvexAbstraction<PointT>>;
 
-  /** \brief Merge these groups, of a sampler or a label propagation, instead of making
-   *  any, on the scan that they are on. With another number of samples, seeding rule,
-   *  setting of the preparation or input, groups are made again.
+  /** \brief Merge these groups, of a sampler or a label propagation, on the scan that
+   *  they are on, instead of making any. Call it after setInputCloud(). With another
+   *  number of samples, seeding rule, setting of the preparation or input, groups are
+   *  made again.
    *  \throws CIDException when it is null */
   void
   setGrouping(const Grouping::ConstPtr& grouping)

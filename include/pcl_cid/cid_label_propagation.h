@@ -36,7 +36,7 @@ namespace pcl_cid {
  *    propagation.setSeeds(seeds, labels);
  *    pcl::PointCloud<pcl::PointXYZL> labelled;
  *    propagation.segment(labelled);
- *    \endcode
+ *  \endcode
  *
  *  Where the result is wrong, seeds correct it, at the cost of what they change:
  *
@@ -62,8 +62,8 @@ public:
    *  \param[in] seeds indices of the input cloud; the verb requires them to be finite,
    *  selected points
    *  \param[in] labels one for each; 0 is a label too: "asked, and it is none"
-   *  \throws CIDException when there are none, when the sizes differ, or when a seed
-   *  stands twice with two labels (twice with one label counts once) */
+   *  \throws CIDException when there are none, when the sizes differ, or when a seed is
+   *  listed with two labels (one that is listed twice with one label counts once) */
   void
   setSeeds(const pcl::Indices& seeds, const std::vector<std::uint32_t>& labels);
 
@@ -97,11 +97,11 @@ public:
     return annotator_;
   }
 
-  /** \brief Take these groups, of a sampler for instance, instead of making any, and
-   *  the scan that they are on. Seeds that are set must be theirs, in the same order;
-   *  with others, or another number of samples, seeding rule, setting of the
-   * preparation or input, groups are made again. \throws CIDException when it is null
-   */
+  /** \brief Label these groups, of a sampler for instance, on the scan that they are
+   *  on, instead of making any. Call it after setInputCloud(). Seeds that are set must
+   *  be theirs, in the same order; with others, or another number of samples, seeding
+   *  rule, setting of the preparation or input, groups are made again.
+   *  \throws CIDException when it is null */
   void
   setGrouping(const Grouping::ConstPtr& grouping)
   {
@@ -147,24 +147,24 @@ public:
       labelled[i].label = labels[i];
   }
 
-  /** \brief Seeds correct the last segment(): they join its seeds, which are given ones
-   *  (getSeeds()) from now on. The next segment() gives the result, at no more cost. (A
-   *  subsample is drawn again with the seeds in it: then the cost is that of a whole
-   *  run.)
+  /** \brief Correct the last segment(): these seeds join its own, and all of them are
+   *  given ones (getSeeds()) from then on. The next segment() returns the result at no
+   *  further cost. (A subsample is drawn again, so that it holds the seeds, at the cost
+   *  of a whole run.)
    *  \param[in] seeds finite, selected points that are no seeds yet
    *  \param[in] labels one for each
-   *  \throws CIDException when nothing was segmented yet, for seeds that cannot be, and
-   *  then changes nothing; CIDCancelled */
+   *  \throws CIDException when nothing was segmented yet, or for seeds that are not
+   *  allowed, and then changes nothing; CIDCancelled */
   void
   addSeeds(const pcl::Indices& seeds, const std::vector<std::uint32_t>& labels);
 
-  /** \brief Seeds of the last segment() are taken away, as addSeeds() adds them; at
-   *  least one must remain.
+  /** \brief Take seeds of the last segment() away, as addSeeds() adds them; at least
+   *  one must remain.
    *  \param[in] seeds indices of the input cloud */
   void
   removeSeeds(const pcl::Indices& seeds);
 
-  /** \brief A seed of the last segment() gets another label; no group changes.
+  /** \brief Give a seed of the last segment() another label; no group changes.
    *  \param[in] seed an index of the input cloud */
   void
   setLabel(pcl::index_t seed, std::uint32_t label);

@@ -29,14 +29,13 @@ namespace pcl_cid {
 /** \brief The color of each point of a cloud. */
 using ColorsConstPtr = std::shared_ptr<const std::vector<ColorRGB>>;
 
-/** \brief The settings that all classes of pcl_cid share, and what they have worked
- *  out: the prepared scan and the grouping.
+/** \brief The settings that all classes of pcl_cid share, and the results they share:
+ *  the prepared scan and the grouping.
  *
- *  The settings of the preparation are marked as such: to set one means that the next
- *  verb prepares the input again. No other setting does that, and verbs that follow
- * each other on the same input prepare it once; Algorithm 1, too, is run again only
- * when one of its settings was changed, and goes on where only the number of seeds has
- * grown.
+ *  The settings of the preparation are marked as such: setting one makes the next verb
+ *  prepare the input again. No other setting does, so consecutive verbs on one input
+ *  prepare it once. Algorithm 1, too, runs again only when one of its settings was
+ *  changed, and goes on where only the number of seeds has grown.
  *
  *  Every setter refuses a bad value at once with a CIDException and then changes
  *  nothing. Ranges and defaults: the rows of `setting` (settings.h). */
@@ -130,8 +129,8 @@ public:
   }
 
   /** \brief The points of the input cloud that may become seeds; null, the default,
-   *  means all that are grouped. Those that are not grouped are passed over. A setting
-   *  of the preparation. */
+   *  means all that are grouped. Those that are not grouped are skipped. A setting of
+   *  the preparation. */
   void
   setSeedCandidates(const pcl::shared_ptr<const pcl::Indices>& seed_candidates);
 
@@ -155,7 +154,7 @@ public:
     return preparation_.density;
   }
 
-  /** \brief The power of the spacing in that weight; 0 is as if off. A setting of the
+  /** \brief The power of the spacing in that weight; 0 means off. A setting of the
    *  preparation. */
   void
   setDensityPower(float density_power);
@@ -181,8 +180,8 @@ public:
 
   /** \brief What a difference in color adds to the cost of a pair: metres for a unit of
    *  CIE L*a*b* (black to white: 100), the colors being averaged over neighbors; 0, the
-   *  default, for no look at colors. Above 0 the verbs need colors: from a point type
-   *  with `rgb` or `rgba`, or from setColors(). A setting of the preparation. */
+   *  default, ignores colors. Above 0 the verbs need colors: from a point type with
+   *  `rgb` or `rgba`, or from setColors(). A setting of the preparation. */
   void
   setColorWeight(float color_weight);
 
@@ -217,7 +216,7 @@ public:
     return preparation_.blind_spot;
   }
 
-  /** \brief Who answers nearest-neighbor queries away from the surface; null, the
+  /** \brief What answers nearest-neighbor queries away from the surface; null, the
    *  default, leaves it to pcl_cid and pcl::KdTreeFLANN (see DistanceField). It is
    *  given the surface about a local origin, as PointXYZ; it must be exact and safe for
    *  concurrent queries. A setting of the preparation. */
@@ -232,7 +231,7 @@ public:
 
   /** \brief Bytes that the grid of the surface may take (see DistanceField); 0, the
    *  default, means a quarter of the machine's memory. Never changes a result. A
-   * setting of the preparation. */
+   *  setting of the preparation. */
   void
   setMemoryBudget(std::size_t memory_budget = 0);
 
@@ -253,7 +252,7 @@ public:
   }
 
   /** \brief Called during every verb (see ProgressCallback); empty, the default, means
-   *  nobody is told. A verb that was cancelled throws CIDCancelled. */
+   *  none. A verb that was cancelled throws CIDCancelled. */
   void
   setProgressCallback(const ProgressCallback& progress)
   {
@@ -267,8 +266,8 @@ public:
   }
 
   /** \brief Work on a scan that was prepared elsewhere: by another object, or by
-   *  PreparedScan itself. Its settings become those of this object; to set one of the
-   *  preparation, or another input, means to prepare again.
+   *  PreparedScan itself. Its settings become those of this object. Setting one of the
+   *  preparation, or another input, drops it.
    *
    *  The input cloud, where a verb needs it, must be the one that was prepared.
    *  \throws CIDException when it is null */
@@ -304,7 +303,7 @@ public:
     return proposal_;
   }
 
-  /** \brief What the last verb found out about the density of the input, and did. */
+  /** \brief What the last verb measured about the density of the input, and decided. */
   DensityDecision
   getDensityDecision() const
   {
@@ -335,8 +334,8 @@ protected:
   ExecutionOptions
   execution(double begin, double end) const;
 
-  /** \brief Another input, or another setting of the preparation: what was worked out
-   *  is of no use any more. */
+  /** \brief The input or a setting of the preparation has changed: drop what was
+   *  computed. */
   void
   forgetScan();
 
@@ -371,13 +370,13 @@ protected:
   void
   groupBySeeds(const pcl::Indices& seeds, const ExecutionOptions& execution);
 
-  /** \brief Take over the groups of another object, and its scan: they stand in the
-   *  place of what proposeSeeds() would find.
+  /** \brief Take over the groups of another object, and its scan: they replace what
+   *  proposeSeeds() would find.
    *  \throws CIDException when it is null */
   void
   adoptGrouping(const Grouping::ConstPtr& grouping);
 
-  /** \brief The grouping of the last verb, to be changed: a copy where others use it,
+  /** \brief The grouping of the last verb, for changing: a copy where others hold it,
    *  too. publish() makes it the result. */
   std::shared_ptr<Grouping>
   changeableGrouping() const;
@@ -386,7 +385,7 @@ protected:
   publish(const std::shared_ptr<Grouping>& grouping, const ExecutionOptions& execution);
 
 private:
-  /** What a proposed grouping was asked for. */
+  /** What the grouping was proposed for. */
   struct Request {
     int seeds;
     float coverage;

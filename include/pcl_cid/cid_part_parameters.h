@@ -23,8 +23,8 @@
 namespace pcl_cid {
 
 /** \brief The part of CIDConvexAbstraction that does not depend on the point type.
- * Every setter refuses a bad value at once with a CIDException and then changes
- * nothing. */
+ *  Every setter refuses a bad value at once with a CIDException and then changes
+ *  nothing. */
 class PCL_CID_EXPORT CIDPartParameters {
 public:
   /** \brief Merge until this many parts remain (K'): at least 1. The last of the three
@@ -203,7 +203,7 @@ private:
   std::size_t dropped_points_ = 0;
   ConvexPartOptions hull_options_;
   MergeTree merge_tree_;
-  Grouping::ConstPtr merged_; ///< whose tree that is
+  Grouping::ConstPtr merged_; ///< the grouping of merge_tree_
   MergingSettings merged_with_;
 };
 

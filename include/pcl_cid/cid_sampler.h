@@ -23,7 +23,7 @@ namespace pcl_cid {
  *    pcl::Indices seeds;
  *    sampler.sample(seeds);
  *    const std::vector<pcl::index_t>& group = sampler.getProposal().group;
- *    \endcode
+ *  \endcode
  *
  *  The seeds are nested: the first k of them are what k seeds would have been.
  *  Degenerate input: duplicates never become seeds, so a cloud with fewer distinct
@@ -44,9 +44,9 @@ public:
   void
   sample(pcl::Indices& seeds);
 
-  /** \brief Go on where the last sample() ended, at the cost of the new seeds only: an
-   *  annotator asks for ten more. The result is that of one sample() with all of them;
-   *  getNumberOfSeeds() stays what it is.
+  /** \brief Continue where the last sample() ended, at the cost of the new seeds only:
+   *  an annotator asks for ten more. The result is that of one sample() with all of
+   *  them; getNumberOfSeeds() does not change.
    *  \param[in] number_of_seeds K, all in all
    *  \param[out] seeds all of them
    *  \throws CIDException when nothing was sampled yet, or when the number of samples,

@@ -18,8 +18,8 @@
 namespace pcl_cid {
 
 /** \brief A bad setting or an unusable input. The message is one sentence: which value
- *  or file, what is wrong with it, what is allowed. Nothing is half done when it flies:
- *  outputs are empty, files absent. */
+ *  or file, what is wrong with it, what is allowed. When it is thrown, outputs are
+ *  empty and no file is left behind. */
 class PCL_CID_EXPORT CIDException : public pcl::PCLException {
 public:
   explicit CIDException(const std::string& message)
@@ -38,8 +38,8 @@ private:
   std::string message_;
 };
 
-/** \brief The progress callback asked to stop. Outputs are empty; the object that was
- *  at work can be used again. */
+/** \brief The progress callback asked to stop. Outputs are empty; the object can be
+ *  used again. */
 class PCL_CID_EXPORT CIDCancelled : public CIDException {
 public:
   CIDCancelled() : CIDException("cancelled by the progress callback") {}

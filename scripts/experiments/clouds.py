@@ -9,7 +9,7 @@ import numpy as np
 
 
 def read_header(file):
-    """Its entries, each a list of words, and where the data begins."""
+    """The entries of a header, each a list of words, and where the data begins."""
     header = {}
     while "DATA" not in header:
         line = file.readline()
@@ -83,7 +83,7 @@ def positions(cloud):
 
 
 def finite(cloud):
-    """Which points are."""
+    """Which points are finite, as a mask."""
     return np.isfinite(positions(cloud)).all(axis=1)
 
 

@@ -23,7 +23,7 @@ PICTURE = "heatmap.png"
 
 
 def middle_of(cloud, wanted):
-    """The index of the wanted point that is next to their median."""
+    """The index of the wanted point that is nearest to the median of the wanted ones."""
     indices = np.flatnonzero(wanted)
     places = positions(cloud)[indices]
     offsets = places - np.median(places, axis=0)
@@ -31,7 +31,7 @@ def middle_of(cloud, wanted):
 
 
 def largest_instance(cloud, among):
-    """That with most of these points, as a mask."""
+    """The instance with most of these points, as a mask."""
     labels, counts = np.unique(cloud["label"][among], return_counts=True)
     return among & (cloud["label"] == labels[np.argmax(counts)])
 
@@ -93,7 +93,7 @@ def heat_map(item, programs, folder):
 
 
 def draw(cloud, maps, path):
-    """A row for each point: CID, the Euclidean distance."""
+    """A row of panels for each point: CID, Euclidean distance."""
     figure = new_figure(9, 3.4 * len(maps))
     room = View(cloud, [index for _, index in maps])
     axes = figure.subplots(len(maps), 2, squeeze=False, subplot_kw={"projection": "3d"})

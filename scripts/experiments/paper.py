@@ -63,5 +63,5 @@ MEDIAN_PURITY = {"CID": 0.76, "WCSeg": 0.58}
 
 
 def of_class(classes_from, name):
-    """The figures of a class; Nones where the paper has none."""
+    """The figures of a class; None where the paper has none."""
     return TABLES.get(classes_from, ("", {}))[1].get(name, (None,) * 5)

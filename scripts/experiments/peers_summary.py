@@ -172,7 +172,7 @@ def count(answers):
 
 
 def selected(rows, names):
-    """Those columns of the rows."""
+    """The named columns of the rows."""
     return [{name: row[name] for name in names} for row in rows]
 
 

@@ -11,7 +11,7 @@ import threading
 
 import paper
 
-# Of an option: what the programs take when they are not told.
+# The value of an option that is left to the program.
 DEFAULT = "default"
 
 
@@ -49,7 +49,7 @@ class Programs:
         return output, errors
 
     def stop(self):
-        """End those that run, and start no more."""
+        """Stop the running programs, and start no more."""
         with self.lock:
             self.stopped = True
             for process in self.running:
@@ -86,7 +86,7 @@ def remarks_in(folder):
 
 
 def raw_scan_options(settings):
-    """Those of the paper, but for what the settings name."""
+    """The options of the paper, except for what the settings name."""
     values = {name: settings.get(name, value) for name, value in paper.RAW_SCANS.items()}
     return [word for name, value in values.items() if value != DEFAULT
             for word in (f"--{name}", value)]

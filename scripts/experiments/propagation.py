@@ -33,7 +33,7 @@ def by_classes(done):
 
 
 def with_setting(done, **setting):
-    """Those pairs, and no disturbance that is not named."""
+    """The pairs of the settings, without disturbances that are not named."""
     varying = ("noise", "keep", *paper.RAW_SCANS)
     wanted = {name: None for name in varying} | setting
     return [pair for pair in done

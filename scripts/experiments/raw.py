@@ -33,7 +33,7 @@ TOLERANCE = 0.01
 
 
 def has_colour(scan):
-    """Whether the header of a file names colours. Folders of S3DIS and ScanNet have them."""
+    """Whether the header of a file names colors. Folders of S3DIS and ScanNet have them."""
     if scan.path.is_dir():
         return True
     with open(scan.path, "rb") as file:
@@ -47,7 +47,7 @@ def has_colour(scan):
 
 
 def settings_of(scan):
-    """By name. A scan without colours has no setting of its own for them."""
+    """By name. A scan without colors has no setting of its own for them."""
     if has_colour(scan):
         return SETTINGS
     plain = {name: {key: value for key, value in changed.items() if key != "color"}

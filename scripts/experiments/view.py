@@ -51,7 +51,7 @@ class View:
         self.shown = visible(self.places, self.azimuth)
 
     def scatter(self, panel, title, **colours):
-        """The points in a 3D panel, in colours for those that are shown."""
+        """The points in a 3D panel, in colors for those that are shown."""
         panel.computed_zorder = False
         panel.set_box_aspect(np.ptp(self.places[self.shown], axis=0), zoom=1.5)
         panel.view_init(elev=45, azim=self.azimuth)

@@ -7,9 +7,7 @@
  * Uses the installed headers and libraries as a stranger would.
  */
 
-#include <pcl_cid/cid_convex_abstraction.h>
-#include <pcl_cid/cid_sampler.h>
-#include <pcl_cid/version.h>
+#include <pcl_cid/pcl_cid.h>
 
 #include <iostream>
 #include <vector>
@@ -32,6 +30,10 @@ fourPosts()
 }
 
 } // namespace
+
+#if PCL_CID_VERSION_NUMBER < 100 // 0.1.0
+#error "version.h: its numbers are not those of a release"
+#endif
 
 int
 main()

@@ -18,9 +18,9 @@
 namespace pcl_cid {
 
 /** \brief CID_p(p, q | S) by Eq. 2 for each of many points q, as in Fig. 1 of the
- * paper.
+ *  paper.
  *
- *  Each is pointCID() to the bit; neighbours are visited one after another, because the
+ *  Each is pointCID() to the bit; neighbors are visited one after another, because the
  *  sample that decides for one is a good first guess for the next (*ours*).
  *  \param[in] field the surface S
  *  \param[in] p,points finite, metres, in the frame of the surface, on it or off it

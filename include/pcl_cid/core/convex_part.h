@@ -34,7 +34,7 @@ struct TriangleMesh {
 };
 
 /** \brief Share of a hull's diagonal by which it may miss a point of its part, and by
- *  which a vertex may stand out of the plane of a face. */
+ *  which a vertex may stick out of the plane of a face. */
 constexpr double hull_tolerance = 1e-5;
 
 /** \brief How hulls are made. */
@@ -45,10 +45,10 @@ struct ConvexPartOptions {
    *  when it is more. */
   double min_thickness = setting::min_thickness.initial;
   /** Most vertices of a hull, at least 4; 0 for any number. A hull with more is
-   * replaced by a simpler body around it. */
+   *  replaced by a simpler body around it. */
   std::size_t max_vertices = setting::max_vertices.initial;
   /** How far a hull reaches beyond the one without padding, at least, in all
-   * directions: metres, 0 or more. At most it is sqrt(3) times as far. */
+   *  directions: metres, 0 or more. At most it is sqrt(3) times as far. */
   double padding = setting::padding.initial;
   /** Points of a part are linked when they are at most so far apart, metres; those that
    *  no links join to the bulk of the part are trimmed. 0: none is. A few times the
@@ -66,7 +66,7 @@ struct ConvexPart {
   /** Indices of its points in the input cloud, ascending. */
   pcl::Indices indices;
   /** Indices of the stray points that were trimmed from it, ascending: the hull need
-   * not contain them. */
+   *  not contain them. */
   pcl::Indices trimmed;
   /** Contains every point of `indices`, to within hull_tolerance. */
   TriangleMesh hull;
@@ -79,7 +79,7 @@ struct ConvexPart {
   /** The points alone were thinner than `min_thickness`. */
   bool thickened = false;
   /** qhull failed and the hull is the oriented bounding box (a tetrahedron around it
-   * for fewer than 8 vertices). */
+   *  for fewer than 8 vertices). */
   bool boxed = false;
 };
 
@@ -98,7 +98,7 @@ struct ConvexPart {
  *  \throws CIDException when the part is empty or an option is out of its range
  *  \note Cost: O(n log n); with V vertices and T triangles of the hull, O(V T) for its
  *  thickness and O(max_vertices^2 T) when it is reduced. Thread safety: as qhull_r,
- * safe for separate calls. */
+ *  safe for separate calls. */
 PCL_CID_EXPORT ConvexPart
 makeConvexPart(const PointSet& points,
                const pcl::Indices& members,

@@ -33,7 +33,7 @@ namespace pcl_cid {
 class BlockTree;
 class DistanceGrid;
 
-/** \brief Certified: low <= d(x; S) <= high, metres. */
+/** \brief Certified bounds: low <= d(x; S) <= high, metres. */
 struct DistanceBounds {
   float low;
   float high;
@@ -52,7 +52,7 @@ struct DistanceBounds {
  *  budget says so. Thread safety: const calls may run concurrently. */
 class PCL_CID_EXPORT DistanceField {
 public:
-  /** \brief Who answers nearest-neighbour queries. It is given the surface with
+  /** \brief What answers nearest-neighbor queries. It is given the surface with
    *  setInputCloud(), must be exact, and safe for concurrent queries. */
   using Search = pcl::search::Search<pcl::PointXYZ>;
   using SearchPtr = pcl::shared_ptr<Search>;
@@ -90,8 +90,8 @@ public:
   float
   distance(const Eigen::Vector3f& x) const;
 
-  /** \brief d(x; S), and a point of S at that distance; which one of several, is not
-   *  said. */
+  /** \brief d(x; S), and a point of S at that distance; which one of several is
+   *  unspecified. */
   Nearest
   nearestPoint(const Eigen::Vector3f& x) const;
 
@@ -110,7 +110,7 @@ public:
     return size_;
   }
 
-  /** \brief The surface in blocks of neighbours. */
+  /** \brief The surface in blocks of neighbors. */
   const BlockTree&
   blocks() const
   {

@@ -20,7 +20,7 @@
 
 namespace pcl_cid {
 
-/** \brief Whose rules say what is a hit. */
+/** \brief The rules by which predictions are scored. */
 enum class EvaluationProtocol {
   /** Section V: a prediction belongs to the truth instance whose label it carries, and
    *  hits it or nothing. */
@@ -95,7 +95,7 @@ struct Evaluation {
   /** Truth instances over groups; NaN without groups. */
   double compactness = EvaluationFigures::none;
   /** Mean over the truth instances of the best IoU with any prediction of any class;
-   * NaN without truth. */
+   *  NaN without truth. */
   double mean_iou = EvaluationFigures::none;
 };
 

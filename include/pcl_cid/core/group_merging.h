@@ -108,13 +108,13 @@ public:
   cutAtHeight(double threshold) const;
 
   /** \brief The part of each group where the tree itself bends (*ours*): after the
-   * merges that cost little more than the first one, before those whose cost climbs.
+   *  merges that cost little more than the first one, before those whose cost climbs.
    *
    *  Drawn over their number, the heights of the merges rise slowly while groups of one
    *  convex piece come together, and steeply once the pieces themselves have to. The
    *  cut is after the merge that is deepest below the straight line from the first to
    *  the last. It does not change with the unit of length; fewer than three merges have
-   *  no bend, and none is made; when all are equally dear, all are made.
+   *  no bend, and none is made; when all cost the same, all are made.
    *  \throws CIDException when the tree was stopped early */
   std::vector<int>
   cutAtElbow() const;
@@ -183,8 +183,8 @@ struct MergingSettings {
  *  all pairs of random points, and is farther from Eq. 3 with eight times as many). A
  *  merge replaces two rows by their mean weighted with the true group sizes
  *  (Lance-Williams), which is what computing CID_g again would give. A pair of groups
- * is compared exactly only when the next merge depends on it; certified lower bounds
- * hold the others back (*ours*). Equal CID_g: the pair of lowest numbers first.
+ *  is compared exactly only when the next merge depends on it; certified lower bounds
+ *  hold the others back (*ours*). Equal CID_g: the pair of lowest numbers first.
  *  \param[in] grouping its groups, M, costs and random seed; at least 1 seed. Sizes
  *  count the points that are worked on: those of the subsample where one was drawn
  *  \param[in] settings see MergingSettings

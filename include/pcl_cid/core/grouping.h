@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Seeds, and the group of every point: a result that lives on.
+ * Seeds and the group of every point: a result that can be changed.
  */
 
 #pragma once
@@ -62,13 +62,13 @@ enum class ProposalStop {
   no_gain   ///< no candidate is left that would gain by being a seed
 };
 
-/** \brief Seeds and groups on a prepared scan (Algorithm 1 and section IV.A). It lives
- *  on: seeds can be proposed, added and taken away again and again.
+/** \brief Seeds and groups on a prepared scan (Algorithm 1 and section IV.A). Seeds can
+ *  be proposed, added and taken away at any time.
  *
  *  After any sequence of these the state equals, to the bit, one run from scratch with
- *  the same seeds in the same order; adding a seed costs about what it wins, taking one
- *  away about what it had. To undo addSeeds(), remove what was added; to undo
- *  removeSeeds(), insert each seed at its old number, lowest first.
+ *  the same seeds in the same order; adding a seed costs about as much as the points it
+ *  wins, taking one away as the points it had. To undo addSeeds(), remove what was
+ *  added; to undo removeSeeds(), insert each seed at its old number, lowest first.
  *
  *  Points go by their index in the input cloud, seeds by their number, 0 for the first.
  *
@@ -79,9 +79,9 @@ enum class ProposalStop {
  *    const std::vector<pcl::index_t> group = grouping.groups();
  *  \endcode
  *
- *  A verb that throws changes nothing. (But for one case: memory runs out in a verb
- *  without a progress callback; then there are no seeds left.) Copies are independent
- *  and share the scan. Const calls may run concurrently.
+ *  A verb that throws changes nothing. (Except when memory runs out in a verb without a
+ *  progress callback: then no seeds are left.) Copies are independent and share the
+ *  scan. Const calls may run concurrently.
  *  \note Memory: about 30 bytes a point. */
 class PCL_CID_EXPORT Grouping {
 public:

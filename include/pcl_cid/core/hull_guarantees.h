@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * What a hull promises, checked by looking at nothing but its mesh.
+ * The guarantees of a hull, checked on its mesh alone.
  */
 
 #pragma once
@@ -21,7 +21,7 @@
 namespace pcl_cid {
 
 /** \brief How far a coordinate of a mesh may move when it is written as a float,
- * metres: half of the last place of its largest coordinate. */
+ *  metres: half of the last place of its largest coordinate. */
 PCL_CID_EXPORT double
 floatRounding(const TriangleMesh& mesh);
 
@@ -35,15 +35,15 @@ floatRounding(const TriangleMesh& mesh);
  *  4. At least `min_thickness` (1 - hull_tolerance) thick in every direction.
  *  5. At most `max_vertices` vertices.
  *
- *  None of the code that makes hulls is used. Coordinates that were rounded, in a file
- * or by moving them to a far origin, move a plane by more than themselves where it is
+ *  None of the code that makes hulls is used. Rounding coordinates, in a file or by a
+ *  shift to a far origin, moves a plane by more than the rounding where it is
  *  extrapolated from a narrow triangle; what \a rounding explains is no violation.
  *  \param[in] hull the mesh, from makeConvexPart() or read from a file
  *  \param[in] points what it must contain, in the same frame; may be empty
  *  \param[in] options what the hull was made with
  *  \param[in] rounding how far each coordinate of the hull or of a point may be off,
- *  metres: floatRounding() for a mesh from a float file. That of double is always
- *  granted.
+ *  metres: floatRounding() for a mesh from a float file. The rounding of double is
+ *  always allowed for.
  *  \return a sentence that names the guarantee and the figures; nothing when all hold
  *  \throws CIDException when an option is out of its range
  *  \note Cost: O(F (V + n)) for n points, O(F^2) when no ball of the minimum thickness

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * How tightly hulls fit the scan that they stand for.
+ * How tightly hulls fit the scan that they represent.
  */
 
 #pragma once
@@ -58,7 +58,7 @@ struct Tightness {
   HullTightness all;
   /** Of the union of the hulls, within the bounding box of the scan, cubic metres. */
   double volume = 0.0;
-  /** What of it is free space, cubic metres. */
+  /** The part of it that is free space, cubic metres. */
   double free_volume = 0.0;
 };
 
@@ -67,12 +67,12 @@ struct Tightness {
  *
  *  The volumes of the union are counted at the same points of the scan's bounding box
  *  each time. So they never fall when hulls grow: over the cuts of a merge tree, where
- * a hull is replaced by one of more points, the free volume can only rise (up to the
+ *  a hull is replaced by one of more points, the free volume can only rise (up to the
  *  layer that thin hulls are thickened by, which a merge may take back). What a hull
- * has outside of that box, again such a layer or padding, is not counted.
+ *  has outside that box (thickening, padding) is not counted.
  *
  *  Figures are estimates from evenly spread samples, the same on every run and for
- * every number of threads. A volume is known to about the volume of the box over
+ *  every number of threads. A volume is known to about the volume of the box over
  *  sqrt(`box_samples`), mostly better; the true largest concavity exceeds that of the
  *  samples by no more than the distance from anywhere on the surface to a sample.
  *  Thread safety: const calls may run concurrently. */
@@ -85,8 +85,8 @@ public:
    *  \note Cost: that of a DistanceField, and a query for each box sample. */
   TightnessMeter(const PointSet& scan, const TightnessOptions& options);
 
-  /** \brief The same for all points of a prepared scan, whose field serves, too, where
-   *  its surface is these points.
+  /** \brief The same for all points of a prepared scan; its field is reused where its
+   *  surface is exactly these points.
    *  \param[in] scan not null */
   TightnessMeter(const PreparedScan::ConstPtr& scan, const TightnessOptions& options);
 

@@ -33,7 +33,7 @@ struct Instance {
   std::size_t points = 0;
 };
 
-/** \brief An instance, and how sure one is of it. */
+/** \brief An instance, and the confidence in it. */
 struct PredictedInstance : Instance {
   double confidence = 1.0;
 };

@@ -41,7 +41,7 @@ struct SensorPose {
   Eigen::Vector3f down = -Eigen::Vector3f::UnitZ();
 };
 
-/** \brief A scan as it comes in. */
+/** \brief A scan before it is prepared. */
 struct RawScan {
   /** Finite points that are grouped, `source` ascending. */
   PointSet points;
@@ -52,7 +52,7 @@ struct RawScan {
   Points surface;
   /** Of the points; empty where the color weight is 0. */
   std::vector<ColorRGB> colors;
-  /** Relative to the same origin; none: there is no blind spot to look for. */
+  /** Relative to the same origin; none: no blind spot is looked for. */
   std::optional<SensorPose> sensor;
 };
 
@@ -79,19 +79,19 @@ struct PreparationSettings {
   std::size_t memory_budget = 0;
 };
 
-/** \brief What was found out about the density of a scan, and decided. */
+/** \brief What was measured about the density of a scan, and decided. */
 struct DensityDecision {
   /** Whether CIDs are weighted by the local spacing. */
   bool weighted = false;
-  /** How uneven the spacing is: the one that 90 % of the surface does not exceed over
-   *  the one that 10 % does not; 0 where no setting needs it. */
+  /** How uneven the spacing is: its 90 % quantile over its 10 % quantile, by area; 0
+   *  where no setting needs it. */
   float spread = 0.0f;
   /** Points that are worked on, and are isolated. */
   std::size_t isolated_points = 0;
 };
 
-/** \brief A disc of floor that a scanner hid from itself, and that is a part of the
- *  surface now. */
+/** \brief A disc of floor that a scanner hid from itself, and that was made a part of
+ *  the surface. */
 struct FilledBlindSpot {
   /** In the frame of the input cloud. */
   Eigen::Vector3d centre;
@@ -111,13 +111,13 @@ class PCL_CID_EXPORT PreparedScan {
 public:
   using ConstPtr = std::shared_ptr<const PreparedScan>;
 
-  /** \param[in] scan its points are taken over
+  /** \param[in] scan its points are moved from
    *  \param[in] settings see PreparationSettings
    *  \param[in] execution threads and progress; never change the result
    *  \throws CIDException when there is no finite point, when the start, a required
    *  point or every candidate is not one of them, when a setting is out of its range,
-   * or when coordinates are too large to square; CIDCancelled \note Cost: O(N log N);
-   * about 150 bytes a point (see DistanceField). */
+   *  or when coordinates are too large to square; CIDCancelled
+   *  \note Cost: O(N log N); about 150 bytes a point (see DistanceField). */
   PreparedScan(RawScan scan,
                const PreparationSettings& settings,
                const ExecutionOptions& execution = {});
@@ -170,30 +170,31 @@ public:
     return *working_;
   }
 
-  /** \brief The points that are worked on among points(), and whom the others follow.
-   */
+  /** \brief Which of points() are worked on, and which of these each other point
+   *  follows. */
   const WorkingSet&
   workingSet() const
   {
     return *set_;
   }
 
-  /** \brief The start of Algorithm 1, an index among the points that are worked on. */
+  /** \brief The first seed of Algorithm 1, an index among the points that are worked
+   *  on. */
   pcl::index_t
   start() const
   {
     return start_;
   }
 
-  /** \brief Those that may become seeds, as start() is one; empty: all. */
+  /** \brief The points that may become seeds, indices like start(); empty: all. */
   const pcl::Indices&
   candidates() const
   {
     return candidates_;
   }
 
-  /** \brief Those that do not count in the coverage and are not proposed; never all of
-   *  the candidates. */
+  /** \brief The points that are not proposed and do not count in the coverage, indices
+   *  like start(); never all of the candidates. */
   const pcl::Indices&
   isolated() const
   {

@@ -23,7 +23,7 @@ namespace pcl_cid {
  *  option of a tool and its help, the report, and the table in doc/settings.md. */
 template <typename Value>
 struct NumberSetting {
-  const char* group;       ///< the headline that it stands below
+  const char* group;       ///< the headline it is listed under
   const char* name;        ///< in the report; the option has "-" for "_"
   const char* title;       ///< in a message: "the <title> is 0"
   const char* placeholder; ///< in the help: "--name PLACEHOLDER"

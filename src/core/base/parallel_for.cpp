@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Loops over ranges on several threads; all that this library knows of threads.
+ * Parallel loops over ranges. No other file of the library starts a thread.
  */
 
 #include "parallel_for.h"
@@ -49,7 +49,8 @@ Helpers::Helpers(Starter start)
 }
 
 /** Never destroyed: helpers sleep in it when the process ends, and callers may still be
- *  at work. Threads do not survive a fork, so a child that is forked begins anew. */
+ *  at work. Threads do not survive a fork, so a forked child starts a pool of its own.
+ */
 Helpers&
 Helpers::ofProcess()
 {
@@ -74,7 +75,7 @@ Helpers::share(std::size_t helpers, const std::function<void()>& work)
     asked_.notify_one();
   work();
   lock.lock();
-  close(job); // whoever comes from now on finds nothing of it: it is about to vanish
+  close(job); // no helper may join from here on: the job goes out of scope
   job.left.wait(lock, [&] { return job.inside == 0; });
 }
 
@@ -93,18 +94,18 @@ Helpers::startMissing()
     }
   }
   catch (const std::exception&) {
-    // The work is done by those that there are.
+    // The threads that have been started do the work.
   }
 }
 
-/** No more helpers for a job: they are there, or nothing is left to begin. */
+/** Let no more helpers join: enough have, or nothing is left to begin. */
 void
 Helpers::close(const Job& job)
 {
   jobs_.erase(std::remove(jobs_.begin(), jobs_.end(), &job), jobs_.end());
 }
 
-/** A helper's life. */
+/** The loop that a helper runs. */
 void
 Helpers::help()
 {

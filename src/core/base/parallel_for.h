@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Loops over ranges on several threads; all that this library knows of threads.
+ * Parallel loops over ranges. No other file of the library starts a thread.
  */
 
 #pragma once
@@ -22,34 +22,33 @@
 
 namespace pcl_cid {
 
-/** \brief The number of threads that a setting stands for (0: one for each processor
- *  that this process may run on). */
+/** \brief The number of threads that a setting means (0: one for each processor that
+ *  this process may run on). */
 int
 threadCount(unsigned int setting);
 
-/** \brief Threads that sleep until someone has work to share.
+/** \brief A pool of threads that sleep until there is work to share.
  *
- *  Nobody waits for a helper to come: on a busy machine it may come when the work is
- *  done, or never. Nobody spins either; whoever waits leaves the processor to others.
- */
+ *  Nobody waits for a helper to start: on a busy machine it may come after the work is
+ *  done, or never. Nobody busy-waits. */
 class Helpers {
 public:
   /** \brief Starts a thread that runs a function; may throw. */
   using Starter = std::function<void(std::function<void()>)>;
 
-  /** \brief Helpers that are started as they are asked for, and never end: what this
-   *  makes must outlive the process. */
+  /** \brief Helpers are started on demand and never end, so this object must outlive
+   *  the process. */
   explicit Helpers(Starter start);
 
-  /** \brief Those of this process; a child that it forks has its own. */
+  /** \brief The pool of this process; a forked child has its own. */
   static Helpers&
   ofProcess();
 
-  /** \brief Do \a work on this thread and, as they come, on \a helpers others.
+  /** \brief Do \a work on this thread and on up to \a helpers others.
    *
-   *  Returns when this thread is through and so is every helper that has begun. May be
-   *  called from any thread, from within \a work as well.
-   *  \param[in] helpers how many may come; fewer do when no more can be started
+   *  Returns when this thread and every helper that has begun are done. May be called
+   *  from any thread, and from within \a work.
+   *  \param[in] helpers the most that may join; fewer do when no more can be started
    *  \param[in] work returns when nothing is left to begin; must not throw */
   void
   share(std::size_t helpers, const std::function<void()>& work);
@@ -57,9 +56,9 @@ public:
 private:
   struct Job {
     const std::function<void()>& work;
-    std::size_t wanted;             ///< helpers that may still come
-    std::size_t inside = 0;         ///< helpers that are at it
-    std::condition_variable left{}; ///< the last of them has gone
+    std::size_t wanted;             ///< helpers that may still join
+    std::size_t inside = 0;         ///< helpers at work
+    std::condition_variable left{}; ///< signaled when the last one leaves
   };
 
   void
@@ -80,7 +79,7 @@ private:
   std::size_t busy_ = 0;
 };
 
-/** \brief Part of a longer work that one loop makes up, in fractions of that work. */
+/** \brief The share of a longer job that one loop makes up, in fractions of the job. */
 struct ProgressSpan {
   double begin = 0.0;
   double end = 0.0;
@@ -96,7 +95,7 @@ struct ProgressSpan {
  *  \param[in] threads as from threadCount()
  *  \param[in,out] progress told of the ranges of its own thread; ends the loop when it
  *  was cancelled
- *  \param[in] span the fractions that this loop stands for
+ *  \param[in] span the share of the job that this loop is
  *  \param[in] body callable as void(std::size_t begin, std::size_t end)
  *  \throws CIDCancelled, and whatever \a body or the callback throws (the first of
  *  them) */

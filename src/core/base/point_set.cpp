@@ -32,8 +32,8 @@ dropNotFinite(Points& points, pcl::Indices& source)
   source.resize(kept);
 }
 
-/** The centre of the bounding box, rounded to multiples of the smallest power of two
- *  that is no smaller than the box, or 0 when the centre is within two of them: farther
+/** The center of the bounding box, rounded to multiples of the smallest power of two
+ *  that is no smaller than the box, or 0 when the center is within two of them: farther
  *  out, every coordinate is larger than its difference to the origin, so that float
  *  holds the difference exactly. */
 Eigen::Vector3d

@@ -46,8 +46,8 @@ public:
       cancelled_ = true;
   }
 
-  /** \brief From inside of a long step, on any thread: report that the work goes on,
-   *  and leave it when it was cancelled.
+  /** \brief From inside a long step, on any thread: report that the work goes on, and
+   *  abort it when it was cancelled.
    *  \throws CIDCancelled */
   void
   poll()
@@ -64,7 +64,7 @@ public:
     return cancelled_;
   }
 
-  /** \brief Report, and leave the work when it was cancelled.
+  /** \brief Report, and abort the work when it was cancelled.
    *  \throws CIDCancelled */
   void
   check(double fraction)

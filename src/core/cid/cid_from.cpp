@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * CID from one point to many, block by block of neighbours.
+ * CID from one point to many, block by block of neighbors.
  */
 
 #include <pcl_cid/core/cid_from.h>

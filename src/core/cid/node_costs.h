@@ -24,11 +24,11 @@ requireCosts(const PairCosts& costs, std::size_t points);
 
 /** \brief Bounds of PairCosts::between() for whole nodes: w is smallest where the
  *  spacing is largest, a cue is within the nearest and the farthest corner of the box
- *  of the node's colours. */
+ *  of the node's colors. */
 class NodeCosts {
 public:
-  /** \param[in] costs of the points of the tree; null means their CIDs; must outlive
-   *  this
+  /** \param[in] costs of the points of the tree; null: the cost is the CID; must
+   *  outlive this
    *  \param[in] tree what the nodes are of */
   NodeCosts(const PairCosts* costs,
             const BlockTree& tree,
@@ -42,11 +42,11 @@ public:
     return costs_ ? costs_->between(p, q) : PairCost();
   }
 
-  /** \brief What no pair of a seed and a point below a node falls below. */
+  /** \brief Lower bound of the cost of a seed and any point below a node. */
   PairCost
   least(std::size_t node, std::size_t seed) const;
 
-  /** \brief What none exceeds. */
+  /** \brief Upper bound of the same. */
   PairCost
   most(std::size_t node, std::size_t seed) const;
 
@@ -64,7 +64,7 @@ private:
 
   const PairCosts* costs_;
   std::vector<Range> spacing_;  ///< by node; empty without spacing
-  std::vector<PointBox> color_; ///< by node; empty without colours
+  std::vector<PointBox> color_; ///< by node; empty without colors
 };
 
 } // namespace pcl_cid

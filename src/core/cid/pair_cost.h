@@ -44,7 +44,7 @@ struct PairCost {
   }
 
   /** \brief A CID below which the cost is certainly below a limit: the inverse of of(),
-   *  less what rounding can take. */
+   *  less a slack for rounding. */
   float
   cidBelow(float limit) const
   {
@@ -52,8 +52,8 @@ struct PairCost {
     return std::max(rest / weight * (1.0f - rounding), 0.0f);
   }
 
-  /** \brief A CID that no pair of this cost exceeds: the inverse of of(), plus what
-   *  rounding can take. */
+  /** \brief A CID that no pair of this cost exceeds: the inverse of of(), plus a slack
+   *  for rounding. */
   float
   cidWithin(float cost) const
   {
@@ -71,8 +71,9 @@ struct PairCosts {
    *  distances to the surface are large without any concavity. */
   std::vector<float> spacing;
 
-  /** The colour of each point in metres: so far apart as the colours shall cost. Empty
-   *  means no cue. `cue(p, q) = |color(p) - color(q)|`. */
+  /** The color of each point, scaled so that the distance of two colors is what their
+   *  difference costs, metres: `cue(p, q) = |color(p) - color(q)|`. Empty means no
+   *  cue. */
   Points color;
 
   PairCost

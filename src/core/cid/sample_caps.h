@@ -22,15 +22,15 @@ namespace pcl_cid {
 /** \brief An upper bound of d^2 at each sample of a segment.
  *
  *  Any point n of the surface bounds d at all samples at once: d(x) <= |x - n|, and the
- *  square of that is a polynomial of degree 2 along the segment. Some points, and the
- *  smallest of their bounds says how far from the surface each sample can be. */
+ *  square of that is a polynomial of degree 2 along the segment. The smallest of the
+ *  bounds of a few points says how far from the surface each sample can be. */
 class SampleCaps {
 public:
-  /** The cap of a sample that is out of the question. */
+  /** Sentinel: the cap of a sample that needs no further look. */
   static constexpr float settled = -1.0f;
 
-  /** \param[in] storage of the caps: there are millions of segments
-   *  All three are kept by reference. */
+  /** \param[in] storage of the caps, reused since there are millions of segments
+   *  \note All three arguments are kept by reference. */
   SampleCaps(const SegmentSamples& segment,
              const SampleOrder& order,
              Eigen::ArrayXf& storage)
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  /** \brief Forget all points. */
+  /** \brief Back to no caps. */
   void
   reset()
   {
@@ -50,7 +50,7 @@ public:
     caps_.tail(order_.fractions().size() - order_.samples()) = settled;
   }
 
-  /** \brief The square of at least d at a sample, but for what segment.slack covers. */
+  /** \brief The cap of a sample: an upper bound of d^2, up to segment.slack. */
   float&
   operator[](std::size_t sample)
   {
@@ -79,15 +79,14 @@ public:
     return certain * certain * (1.0f - 4.0f * epsilon);
   }
 
-  /** \brief Lower the caps of the samples that a surface point is near to.
+  /** \brief Lower the caps of the samples near a surface point.
    *  \param[in] sample the one that the point was found at
    *  \param[in] reach how many samples before and after that one */
   void
   lower(const Eigen::Vector3f& point, std::size_t sample, std::size_t reach)
   {
-    // At t from 0 to 1 along the segment, |x - n|^2 = a + b t + c t^2; what rounding
-    // can take from it is less than 16 epsilon (a + c), or what float cannot tell from
-    // 0.
+    // At t from 0 to 1 along the segment, |x - n|^2 = a + b t + c t^2; rounding lowers
+    // it by less than 16 epsilon (a + c) or, near 0, the smallest normal float.
     const Eigen::Vector3f from = segment_.from - point;
     const float b = 2.0f * segment_.along.dot(from);
     const float c = squared_length_;

@@ -22,12 +22,12 @@ namespace pcl_cid {
 
 /** \brief The samples 0 .. M - 1 of a segment by bisection: both ends, the middle, the
  *  quarters, and so on. What is far from the surface is met early, and each sample
- *  after the ends lies between two of earlier levels, whose looks often settle it. */
+ *  after the ends lies between two of earlier levels, whose looks often rule it out. */
 class SampleOrder {
 public:
   using Level = std::vector<std::size_t>;
 
-  /** Numbers that are worked on together. */
+  /** Samples that are processed together, by SIMD. */
   static constexpr int packet = 4;
 
   explicit SampleOrder(int samples)
@@ -54,8 +54,8 @@ public:
     return static_cast<std::size_t>(samples_) - 1;
   }
 
-  /** \brief Where on the way each sample is, 0 to 1; the last one is repeated until
-   *  packets are full. */
+  /** \brief Position of each sample along the segment, 0 to 1; the last one is repeated
+   *  to fill the packets. */
   const Eigen::ArrayXf&
   fractions() const
   {
@@ -106,7 +106,7 @@ struct SegmentSamples {
   Eigen::Vector3f from;
   Eigen::Vector3f along;
   float share;   ///< 1 / (M - 1)
-  float spacing; ///< at least the distance of two neighbouring samples
+  float spacing; ///< at least the distance of two neighboring samples
   float slack;
 
   SegmentSamples(const Eigen::Vector3f& p, const Eigen::Vector3f& q, int samples)
@@ -119,7 +119,7 @@ struct SegmentSamples {
   {
   }
 
-  /** \brief Where on the way from p to q a sample is, 0 to 1. */
+  /** \brief Position of a sample on the way from p to q, 0 to 1. */
   float
   fraction(std::size_t sample) const
   {

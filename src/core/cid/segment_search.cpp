@@ -42,9 +42,8 @@ public:
   {
   }
 
-  /** One sample that is far enough decides, most often where it did for the segment
-   *  before or beside that; an upper bound below the limit at each shows that there is
-   *  none. */
+  /** One sample that is far enough decides: most often the hint, or one beside it. An
+   *  upper bound below the limit at every sample shows that there is none. */
   std::optional<float>
   findAtLeast(float limit, std::size_t& hint)
   {
@@ -108,8 +107,9 @@ public:
            samples_.slack;
   }
 
-  /** The largest distance: look where it can be largest, evaluate where looking does
-   *  not help, until no sample can be farther than the farthest so far. */
+  /** The largest distance: take a look where the bound is largest, and the exact
+   *  distance where a look does not lower the bound, until no bound exceeds the largest
+   *  distance found. */
   float
   maximum(std::size_t& hint)
   {
@@ -119,7 +119,7 @@ public:
       start(infinity);
       lookUp(hint);
       const float low = field_.grid().lowerBound(samples_.at(hint)) - samples_.slack;
-      const float target = caps_.squareOf(low); // no use in looking below
+      const float target = caps_.squareOf(low); // smaller caps need no look
       for (std::size_t k = 0; k < std::min(first_levels, order_.levels().size()); ++k)
         lookUpAbove(order_.levels()[k], target);
     }
@@ -165,8 +165,8 @@ private:
     return {looks_.data(), looks_.data() + found_};
   }
 
-  /** The largest distance, when looking has done what it can: evaluate the sample that
-   *  may be the farthest, until none can be farther than the farthest so far. */
+  /** The largest distance once looks help no more: evaluate the sample with the largest
+   *  cap until no cap exceeds the largest distance found. */
   float
   largestOfLooks()
   {
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  /** \param[in] aim caps that are larger would be of no use, metres */
+  /** \param[in] aim caps above this are of no use, metres */
   void
   start(float aim)
   {
@@ -193,15 +193,15 @@ private:
         lookUp(end);
   }
 
-  /** Look up those samples of a level whose caps are no smaller than a target, side by
-   *  side. */
+  /** Take a look at those samples of a level whose caps are no smaller than a target,
+   *  all in one batch. */
   void
   lookUpAbove(const SampleOrder::Level& level, float target)
   {
     if (looks_.size() < level.size())
       looks_.resize(level.size());
     Look* kept = looks_.data();
-    for (const std::size_t l : level) { // no branch to guess wrong
+    for (const std::size_t l : level) { // branch-free
       kept->sample = l;
       kept += caps_[l] >= target;
     }
@@ -238,7 +238,7 @@ private:
                                                 : all);
   }
 
-  /** Whether d at a sample is at least the limit; `reached_` is then between the two.
+  /** Whether d at a sample is at least the limit; `reached_` then lies between the two.
    */
   bool
   reaches(std::size_t l, float limit, float target)
@@ -251,8 +251,8 @@ private:
     return reached_ >= limit;
   }
 
-  /** A cap, or the square of the largest distance so far. What is added stands for
-   *  distances whose squares float cannot tell from 0. */
+  /** A cap, or the square of the largest distance so far if that is larger. The term
+   *  added covers distances whose squares underflow. */
   float
   orDistance(float cap) const
   {

@@ -26,7 +26,7 @@ struct Segment {
   bool between_surface_points; ///< d is known to be 0 at both ends
 };
 
-/** \brief How small an upper bound shall be. */
+/** \brief How tight an upper bound has to be. */
 enum class UpperBound {
   quick, ///< exact distances only where they decide whether it is below a limit
   exact, ///< the CID itself
@@ -35,9 +35,9 @@ enum class UpperBound {
 /** \brief Searches for the CID of segments, one after another, and keeps its memory
  *  from one to the next: there are millions of them. It serves one thread.
  *
- *  A *hint* is the sample to look at first, since one that is far from the surface
- *  decides; a search leaves there the one that did, which is a good hint for a segment
- *  close to this one. It never changes a result. */
+ *  A *hint* is the sample to try first, since a single one that is far from the surface
+ *  decides. A search sets it to the one that did, a good first guess for the next
+ *  segment nearby. It never changes a result. */
 class SegmentSearch {
 public:
   /** \param[in] field the surface S; must outlive this
@@ -47,7 +47,7 @@ public:
   {
   }
 
-  /** \brief Whether the CID reaches a limit, which is cheaper to find out than the CID.
+  /** \brief Whether the CID reaches a limit, which is cheaper than computing the CID.
    *  \return at least \a limit and at most the CID; nothing when the CID is less */
   std::optional<float>
   findAtLeast(const Segment& segment, float limit, std::size_t& hint);

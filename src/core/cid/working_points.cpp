@@ -27,7 +27,7 @@ makeTree(const Points& points,
   return std::make_unique<BlockTree>(points, threads, progress);
 }
 
-/** The costs, once they are known to be those of the points. */
+/** The costs, once checked against the points. */
 const PairCosts*
 valid(const PairCosts* costs, std::size_t points)
 {

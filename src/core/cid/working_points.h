@@ -26,7 +26,7 @@ namespace pcl_cid {
  *  of the points cost. Immutable: any number of groupings read one side by side. */
 class WorkingPoints {
 public:
-  /** How the points lie to the surface S. */
+  /** How the points relate to the surface S. */
   enum class Place {
     are_surface, ///< they are the points of S, in the same order
     on_surface,  ///< each is a point of S, so d is 0 there
@@ -35,7 +35,7 @@ public:
 
   /** \param[in] field of S; must outlive this
    *  \param[in] points in the frame of S, at least 1; must outlive this
-   *  \param[in] costs of pairs; null for their CIDs; must outlive this
+   *  \param[in] costs of pairs; null: the cost is the CID; must outlive this
    *  \throws CIDException when the costs are not those of so many points, CIDCancelled
    */
   WorkingPoints(const DistanceField& field,

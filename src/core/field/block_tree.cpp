@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points in the order of a balanced kd-tree, in blocks that are neighbours in
+ * Points in the order of a balanced kd-tree, in blocks that are contiguous in
  * memory.
  */
 
@@ -35,7 +35,7 @@ boxOf(const IndexedPoint* begin, const IndexedPoint* end)
   return box;
 }
 
-/** Along an axis, equal coordinates by index: no two points are equal. */
+/** Order along an axis, ties by index: no two points compare equal. */
 struct AlongAxis {
   Eigen::Index axis;
 
@@ -47,11 +47,10 @@ struct AlongAxis {
   }
 };
 
-/** Ranges longer than this are narrowed step by step, so that a cancel need not wait.
- */
+/** Longer ranges are narrowed step by step, so that cancelling takes effect soon. */
 constexpr std::ptrdiff_t long_range = 1 << 18;
 
-/** About the median of a long range, and never its smallest point. */
+/** Roughly the median of a long range, and never its smallest point. */
 IndexedPoint
 guessMedian(const IndexedPoint* begin, const IndexedPoint* end, const AlongAxis& less)
 {
@@ -63,7 +62,7 @@ guessMedian(const IndexedPoint* begin, const IndexedPoint* end, const AlongAxis&
   return *middle;
 }
 
-/** std::nth_element along the widest side, with looks at the progress. */
+/** std::nth_element along the widest side; polls the progress. */
 void
 split(IndexedPoint* begin, IndexedPoint* middle, IndexedPoint* end, Progress& progress)
 {

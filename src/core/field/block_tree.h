@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points in the order of a balanced kd-tree, in blocks that are neighbours in
+ * Points in the order of a balanced kd-tree, in blocks that are contiguous in
  * memory.
  */
 
@@ -25,13 +25,13 @@
 
 namespace pcl_cid {
 
-/** \brief Up to sixteen points that lie next to each other, as columns x, y, z. Unused
- *  rows repeat the last point, so a minimum over all rows is one over the points. */
+/** \brief Up to sixteen neighboring points, as columns x, y, z. Unused rows repeat the
+ *  last point, so a minimum over all rows is that over the points. */
 struct alignas(16) PointBlock {
   static constexpr int capacity = 16;
 
   Eigen::Array<float, capacity, 1> x, y, z;
-  /** Index of each point in the points that the tree was made of. */
+  /** Index of each point among those that the tree was built from. */
   Eigen::Array<std::int32_t, capacity, 1> index;
   std::int32_t count;
 
@@ -42,7 +42,7 @@ struct alignas(16) PointBlock {
   }
 
   /** \brief Squared distances, each rounded as (dx dx + dy dy) + dz dz in float: the
-   *  one arithmetic of d(x; S). Four at a time, by Eigen. */
+   *  only formula that d(x; S) is computed by. Four at a time, by Eigen. */
   Eigen::Array<float, capacity, 1>
   squaredDistances(const Eigen::Vector3f& p) const
   {
@@ -53,14 +53,14 @@ struct alignas(16) PointBlock {
   }
 };
 
-/** \brief Three coordinates and a 0, for one instruction on all. */
+/** \brief Three coordinates and a 0, which fill a SIMD register. */
 inline Eigen::Array4f
 padded(const Eigen::Vector3f& p)
 {
   return {p.x(), p.y(), p.z(), 0.0f};
 }
 
-/** \brief A box that holds points, padded. */
+/** \brief The bounding box of some points; its corners are padded(). */
 struct PointBox {
   Eigen::Array4f low;
   Eigen::Array4f high;
@@ -71,7 +71,7 @@ struct PointBox {
     return (0.5f * (low + high)).matrix().head<3>();
   }
 
-  /** \brief At least the distance from the centre to any point of the box. */
+  /** \brief Upper bound of the distance from the center to any point of the box. */
   float
   radius() const
   {
@@ -90,9 +90,9 @@ struct PointBox {
  *  children of node n are 2n and 2n + 1, and nodes size() to 2 size() - 1 are the
  *  blocks, on the last level and, unless their number is a power of two, the one above.
  *
- *  Each node is split at its widest side so that all blocks get the same number of
- *  points, but for one, equal coordinates by index: the tree is the same on every
- *  machine and for every number of threads. */
+ *  Each node is split at its widest side so that the blocks have the same number of
+ *  points, to within one; equal coordinates are ordered by index: the tree is the same
+ *  on every machine and for every number of threads. */
 class BlockTree {
 public:
   /** \param[in] points finite, at least 1
@@ -127,7 +127,7 @@ public:
     return boxes_[node];
   }
 
-  /** \brief The node that is a block. */
+  /** \brief The node of a block. */
   std::size_t
   nodeOfBlock(std::size_t block) const
   {
@@ -141,7 +141,7 @@ public:
   }
 
   /** \brief Squared distances to boxes and to points are rounded differently; a box is
-   *  passed over only when it is farther by more than that. */
+   *  skipped only when it is farther by more than this factor. */
   static constexpr float rounding = 1.00001f;
 
   /** \brief The nearest point found so far. */
@@ -178,7 +178,7 @@ public:
     if (smallest >= nearest.squared_distance)
       return;
     constexpr int last = PointBlock::capacity - 1;
-    int row = last; // the first with this distance, without a branch to guess wrong
+    int row = last; // the first with this distance; branch-free
     for (int k = 0; k <= last; ++k)
       row = std::min(row, squared[k] == smallest ? k : last);
     nearest.squared_distance = smallest;
@@ -186,8 +186,8 @@ public:
   }
 
 private:
-  /** Place of a node that is a block, from left to right: those of the last level come
-   *  before those above. */
+  /** The number, from left to right, of a node that is a block: those of the last level
+   *  come before those above. */
   std::size_t
   leafOf(std::size_t node) const;
 
@@ -200,7 +200,7 @@ private:
   endLeaf(std::size_t node) const;
 
   std::vector<PointBlock> blocks_;
-  Points positions_; ///< one beside the other, for one look at a time
+  Points positions_; ///< the same points, for access one at a time
   std::vector<PointBox> boxes_;
 };
 

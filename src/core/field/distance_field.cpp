@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * d(x; S): the grid near the surface, pcl::KdTreeFLANN elsewhere.
+ * d(x; S): from the grid, or where it has no list, from the tree or the given search.
  */
 
 #include "base/parallel_for.h"
@@ -107,7 +107,7 @@ DistanceField::nearestPoint(const Eigen::Vector3f& x) const
   }
   if (found.slot < 0)
     tree_->descend(1, padded(x), found);
-  // So far away that float cannot say how far: any point is as near.
+  // When every squared distance overflows float, any point is as near as the others.
   return {tree_->position(std::max(found.slot, 0)), std::sqrt(found.squared_distance)};
 }
 

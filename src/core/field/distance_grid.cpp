@@ -21,29 +21,29 @@
 namespace pcl_cid {
 namespace {
 
-/** A cell with no more nodes than this lists them, for all parts that it may have;
- *  larger ones share the list of the cell that they are part of. */
+/** A cell with no more nodes than this has a list of its own, which its parts use, too;
+ *  one with more shares the list of the region that it is a part of. */
 constexpr std::size_t few_nodes = 8;
 /** Longest list that is kept for exact answers. */
 constexpr std::size_t most_nodes = 128;
-/** Bounds may be off by this share of the radius of a block, which is a few times the
- *  spacing of its points, were there but one block. */
+/** How far off bounds may be, as a share of the radius of a block (a few times the
+ *  spacing of its points); grows with their number, see tolerateErrors(). */
 constexpr float error_to_radius = 0.08f;
-/** A cell that is farther from the surface than this many of its half diagonals is
- *  small enough whatever its error. */
+/** A cell that is farther from the surface than this many of its half diagonals is fine
+ *  enough, whatever its error. */
 constexpr float far_away = 4.0f;
-/** Cells of the even grid for each point, about. */
+/** Cells of the regular grid for each point, roughly. */
 constexpr double cells_per_point = 1.0;
-/** Finest division of the even grid into pieces: 2^this a side. */
+/** Finest division of the regular grid into pieces: 2^this a side. */
 constexpr int most_piece_bits = 3;
 
 } // namespace
 
-/** A cell in the making. */
+/** A cell that is being built. */
 struct DistanceGrid::Region {
   int x = 0, y = 0, z = 0; ///< its corner, in finest cells
   int shift = levels;
-  std::int32_t slot = 0; ///< the surface point nearest to the centre c
+  std::int32_t slot = 0; ///< the surface point nearest to the center c
   float distance = 0.0f; ///< d(c)
   /** Nodes that can hold the nearest point of an x inside; no two overlap. */
   std::vector<std::int32_t> nodes;
@@ -66,11 +66,11 @@ struct DistanceGrid::Region {
   }
 };
 
-/** Nodes with their boxes side by side, for four at a time. */
+/** Nodes and, as columns for SIMD, their boxes. */
 struct DistanceGrid::Boxes {
   std::vector<std::int32_t> nodes;
   Eigen::Array<float, Eigen::Dynamic, 6> sides; ///< at least as many rows
-  /** Along each axis, from the centres of the lower and of the upper half of a region;
+  /** Along each axis, from the centers of the lower and of the upper half of a region;
    *  likewise. */
   Eigen::Array<float, Eigen::Dynamic, 6> squared_gap;
   Eigen::ArrayXf squared_distance; ///< likewise
@@ -99,8 +99,8 @@ struct DistanceGrid::Boxes {
     }
   }
 
-  /** \param[in] centre of the octant that is lowest at each axis
-   *  \param[in] opposite centre of the one that is highest at each */
+  /** \param[in] centre of the octant that is lowest along each axis
+   *  \param[in] opposite center of the one that is highest along each */
   void
   measureGaps(const Eigen::Vector3f& centre, const Eigen::Vector3f& opposite)
   {
@@ -115,8 +115,8 @@ struct DistanceGrid::Boxes {
       }
   }
 
-  /** From the centre of an octant: of the gaps to eight of them, three times two are
-   *  different. */
+  /** From the center of an octant: along each axis the eight centers have only two
+   *  coordinates. */
   void
   measure(int octant)
   {
@@ -127,12 +127,12 @@ struct DistanceGrid::Boxes {
   }
 };
 
-/** A piece in the making. */
+/** A piece that is being built. */
 struct DistanceGrid::Growth {
   Piece& piece;
   std::size_t budget; ///< bytes
   Progress& progress;
-  std::array<Region, levels + 1> regions; ///< one at work a level
+  std::array<Region, levels + 1> regions; ///< the one that is being divided, by level
   std::array<Boxes, levels + 1> boxes;
 
   bool
@@ -142,7 +142,7 @@ struct DistanceGrid::Growth {
   }
 };
 
-/** A list that the parts of a region share, once one of them asks for it. */
+/** A list that the parts of a region share; made when the first of them needs it. */
 struct DistanceGrid::SharedList {
   const Region& region;
   std::uint32_t list;
@@ -206,12 +206,13 @@ DistanceGrid::DistanceGrid(const BlockTree& tree,
   tolerated_error_ = {};
 }
 
-/** The denser the points, the larger the share of a radius: the CIDs that bounds have
- *  to tell apart shrink with the spacing, but not as fast. The sixth root of the number
- *  of blocks is right from 20,000 to 10,000,000 points of a room, by measurement.
+/** The denser the points, the larger the tolerated share of a radius: the differences
+ *  in CID that bounds must resolve shrink with the spacing, but more slowly. The sixth
+ *  root of the number of blocks was measured to be right for rooms of 20,000 to
+ *  10,000,000 points.
  *
- *  Blocks of equal points have no radius; that of nodes around them counts, too, a
- *  quarter for each level. */
+ *  A block of equal points has radius 0, so the radii of the nodes above it count, too,
+ *  each level up by a quarter. */
 void
 DistanceGrid::tolerateErrors()
 {
@@ -266,7 +267,8 @@ DistanceGrid::wholeRegion() const
   return whole;
 }
 
-/** The nodes of a region for its parts: those larger than a part are opened. */
+/** The nodes of a region for its parts: nodes larger than a part are replaced by their
+ *  children. */
 void
 DistanceGrid::open(const Region& region, Boxes& boxes) const
 {
@@ -302,8 +304,9 @@ DistanceGrid::makePart(const Region& whole,
   const Eigen::Vector3f centre = centreOf(corner, part.shift);
   const Eigen::Array4f x = padded(centre);
   boxes.measure(octant);
-  // The point nearest to the whole's centre is near to this one, too: few of the others
-  // are nearer. It is met again, since it is nearer than its own distance rounded up.
+  // Start with the point nearest to the whole's center: few others are nearer. Its
+  // distance is rounded up, so the search finds that point again and sets its exact
+  // distance.
   BlockTree::Nearest nearest;
   nearest.slot = whole.slot;
   nearest.squared_distance =
@@ -317,18 +320,17 @@ DistanceGrid::makePart(const Region& whole,
   part.distance = std::sqrt(nearest.squared_distance);
 }
 
-/** Keep the nodes that can hold the nearest point of an x in a part, once it is made.
- */
+/** Keep, for a part, the nodes that can hold the point nearest to an x inside it. */
 void
 DistanceGrid::keepNodes(const Boxes& boxes, Region& part) const
 {
-  // Whatever x in the cell: d(x) <= d(c) + |x - c|, and a node at distance b from c is
+  // For any x in the cell: d(x) <= d(c) + |x - c|, and a node at distance b from c is
   // no nearer to x than b - |x - c|.
   const float reach =
       (part.distance + 2.0f * halfDiagonal(part.shift)) * 1.00001f + slack_;
   part.nodes.resize(boxes.nodes.size());
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < boxes.nodes.size(); ++k) { // no branch to guess wrong
+  for (std::size_t k = 0; k < boxes.nodes.size(); ++k) { // branch-free
     part.nodes[kept] = boxes.nodes[k];
     kept += boxes.squared_distance[static_cast<Eigen::Index>(k)] <= reach * reach;
   }
@@ -372,7 +374,7 @@ DistanceGrid::growPiece(const Region& region, std::size_t budget, Progress& prog
   piece.lists.shrink_to_fit();
 }
 
-/** Fill the even grid inside a region, and divide its cells where that pays. */
+/** Fill the regular grid inside a region, and divide its cells where that pays. */
 void
 DistanceGrid::grow(const Region& region, SharedList& whole, Growth& growth) const
 {
@@ -393,7 +395,7 @@ DistanceGrid::grow(const Region& region, SharedList& whole, Growth& growth) cons
 }
 
 /** Divide a cell where that pays.
- *  \param[in] list of a larger cell around this one, when that is a short one; else 0
+ *  \param[in] list that of a larger cell around this one if it has few nodes; else 0
  *  \param[in,out] whole what this cell is an eighth of */
 DistanceGrid::Cell
 DistanceGrid::makeCell(const Region& region,
@@ -443,7 +445,7 @@ DistanceGrid::nearest(const Eigen::Vector3f& x) const
   if (!place.inside || first == 0)
     return {};
   const std::int32_t* list = &leaf.piece->lists[first];
-  // The block of the point nearest to the centre first: most others are farther then.
+  // The block of the point nearest to the center first: it rules out most others.
   const auto likely = static_cast<std::size_t>(leaf.slot / PointBlock::capacity);
   const Eigen::Array4f padded_x = padded(x);
   BlockTree::Nearest nearest;

@@ -23,19 +23,19 @@
 
 namespace pcl_cid {
 
-/** \brief An octree over the surface, on top of an even grid that takes its upper
- *  levels: cells are divided until their bounds are about as good as the spacing of the
- *  points is fine.
+/** \brief An octree over the surface, with a regular grid for its upper levels. Cells
+ *  are divided until the error of their bounds is about the spacing of the points.
  *
- *  A cell that is not divided knows the surface point n nearest to its centre c:
+ *  A cell that is not divided knows the surface point n nearest to its center c:
  *  - |x - n| bounds d(x) from above, since n is a point of S;
  *  - |c - n| - |x - c| bounds it from below, since d is 1-Lipschitz.
- *  It also shares with its neighbours a list of the nodes of the block tree that can
- *  hold the nearest point of anything inside them, unless they are too many: a minimum
- *  over those is exact.
  *
- *  Finer means nothing but faster: memory that runs out ends the division, and every
- *  answer stays right. */
+ *  It also shares with its neighbors a list of the nodes of the block tree that can
+ *  hold the point nearest to any x inside, unless they are too many: the minimum over
+ *  these is exact.
+ *
+ *  A finer grid is faster and nothing else: where the memory budget ends the division,
+ *  every answer is still right. */
 class DistanceGrid {
 public:
   /** \param[in] tree the surface; kept by reference
@@ -47,8 +47,9 @@ public:
                int threads,
                Progress& progress);
 
-  /** \brief Certified bounds of d(x; S), for any x, and the point of S that they come
-   *  from: the one nearest to the centre of the cell of x. */
+  /** \brief What a *look* at x gives, without a search: certified bounds of d(x; S) and
+   *  the point of S that they come from, which is the one nearest to the center of the
+   *  cell of x. */
   struct Look {
     DistanceBounds bounds;
     const Eigen::Vector3f& point;
@@ -65,7 +66,7 @@ public:
             nearest};
   }
 
-  /** \brief The lower bound of a look alone. */
+  /** \brief Only the lower bound of a look. */
   float
   lowerBound(const Eigen::Vector3f& x) const
   {
@@ -74,15 +75,15 @@ public:
     return lowerBound(x, centreOf(place, leaf.shift), tree_.position(leaf.slot));
   }
 
-  /** \brief Its point alone. */
+  /** \brief Only the surface point of a look. */
   const Eigen::Vector3f&
   likelyNearest(const Eigen::Vector3f& x) const
   {
     return tree_.position(leafAt(placeOf(x)).slot);
   }
 
-  /** \brief A surface point at distance d(x; S), when the cell of x lists who can be
-   *  nearest; slot -1 when it does not. */
+  /** \brief A surface point at distance d(x; S), when the cell of x has a list; slot -1
+   *  when it has none. */
   BlockTree::Nearest
   nearest(const Eigen::Vector3f& x) const;
 
@@ -91,10 +92,10 @@ public:
 
 private:
   static constexpr int levels =
-      22; ///< 2^22 finest cells a side: what float tells apart
+      22; ///< 2^22 finest cells a side: the resolution of float
   static constexpr float last_place = static_cast<float>((1 << levels) - 1);
 
-  /** Cover the rounding of a norm; `slack_` covers that of coordinates in the box. */
+  /** Covers the rounding of a norm; `slack_` covers that of coordinates in the box. */
   static constexpr float widening = 1.000002f;
   static constexpr float narrowing = 0.999998f;
 
@@ -103,10 +104,9 @@ private:
     std::uint32_t list; ///< where its nodes are listed; 0: not kept
   };
 
-  /** One of the 8^piece_bits_ equal cubes that the grid is made in, each by one thread:
-   *  its part of the even grid, then the cells that those are divided into. Most looks
-   *  need no list: the members of the cells are kept apart for the sake of the cache.
-   */
+  /** One of the 8^piece_bits_ equal cubes of the grid, each built by one thread: its
+   *  part of the regular grid, then the cells that those are divided into. Most looks
+   *  need no list, so slots and lists are separate arrays, for the cache. */
   struct Piece {
     std::vector<std::int32_t> slot;  ///< of each cell
     std::vector<std::uint32_t> list; ///< of each cell
@@ -184,7 +184,7 @@ private:
     return indexOf(at.x >> shift, at.y >> shift, at.z >> shift, piece_bits_);
   }
 
-  /** Index in its piece of the cell of the even grid. */
+  /** Index, in its piece, of a cell of the regular grid. */
   std::size_t
   rootAt(const Place& at) const
   {
@@ -214,7 +214,7 @@ private:
     return {&piece, index, slot, shift};
   }
 
-  /** \param[in] nearest to the centre of the cell of x */
+  /** \param[in] nearest to the center of the cell of x */
   float
   lowerBound(const Eigen::Vector3f& x,
              const Eigen::Vector3f& centre,
@@ -286,13 +286,13 @@ private:
   makeList(const Region& region, Growth& growth) const;
 
   const BlockTree& tree_;
-  int root_bits_ = 0;  ///< the even grid has 2^this cells a side
-  int piece_bits_ = 0; ///< and is made in 2^this pieces a side
+  int root_bits_ = 0;  ///< the regular grid has 2^this cells a side
+  int piece_bits_ = 0; ///< and is built in 2^this pieces a side
   Eigen::Vector3f corner_;
   float finest_; ///< side of a finest cell
   float inverse_finest_;
   float slack_;                        ///< covers the rounding of every bound
-  std::vector<float> tolerated_error_; ///< by block, while the grid is made
+  std::vector<float> tolerated_error_; ///< by block, while the grid is built
   std::vector<Piece> pieces_;
 };
 

@@ -19,17 +19,18 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** Levels of samples that a node of the tree, which is no block, is tried with. */
+/** Levels of samples that are tried at an inner node of the tree. */
 constexpr std::size_t node_levels = 4;
 
-/** A surface point is of use for this many samples before and after the one that it was
- *  found at, about. */
+/** A surface point lowers the caps of about this many samples on either side of the one
+ *  where it was found. */
 constexpr std::size_t neighboring_samples = 16;
 
 } // namespace
 
-/** From which cost on a seed loses all points below a node. At equal cost the earlier
- *  seed wins, so one that comes after all others needs less than the worst of them. */
+/** The cost from which on a seed loses every point below a node. At equal cost the
+ *  earlier seed wins, so the last seed loses at the upper bound already, others only
+ *  above it. */
 float
 BlockGroups::beatenAt(std::size_t node, const Newcomer& seed) const
 {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** A seed is compared with this many subtrees side by side. */
+/** A seed is compared with this many subtrees in parallel. */
 constexpr std::size_t most_subtrees = 1024;
 
 /** Blocks that a thread looks through at a time. */
@@ -212,8 +212,7 @@ BlockGroups::decideAll(bool exactly, Work work, ProgressSpan span)
   updateAllNodes();
 }
 
-/** What is decided needs no rivals any more, and later seeds begin with tight bounds.
- */
+/** Decided points need no rivals any more, and later seeds begin with tight bounds. */
 void
 BlockGroups::decideBlock(std::size_t b, bool exactly, Scratch& scratch)
 {

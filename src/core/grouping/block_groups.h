@@ -27,10 +27,10 @@ namespace pcl_cid {
 
 /** \brief D_min of Algorithm 1 and its argument for every point: exactly what comparing
  *  all pairs would give, with most pairs never looked at. Where pairs have a cost, that
- *  stands in the place of the CID throughout: it never falls when the CID grows.
+ *  replaces the CID throughout: it never falls when the CID grows.
  *
  *  A new seed is first compared with whole blocks of points, down a tree of blocks. For
- *  a point p within R of the centre c of its block, sample l of the segment from the
+ *  a point p within R of the center c of its block, sample l of the segment from the
  *  seed s to p is within R l / (M - 1) of that of the segment to c, and d is
  *  1-Lipschitz, so bounds at the samples of one segment bound the CIDs of all points of
  *  the block. Where the seed may win it becomes a *rival* in the block, with an
@@ -46,7 +46,7 @@ namespace pcl_cid {
  *  Every call takes the threads and the progress of the work that it is a part of. */
 class BlockGroups {
 public:
-  /** How a piece of work is done. */
+  /** How a call runs. */
   struct Work {
     int threads; ///< as from threadCount()
     Progress& progress;
@@ -64,7 +64,7 @@ public:
   void
   setCandidates(const pcl::Indices& candidates);
 
-  /** \brief As it was made, marks of points aside: no seeds. */
+  /** \brief Back to no seeds; the marks of points stay. */
   void
   clear() noexcept;
 
@@ -80,8 +80,8 @@ public:
 
   /** \brief Compare a new seed with all points.
    *  \param[in] rank its number; those from there on move up by one
-   *  \param[in] to_come how many seeds will follow, about: what is found out now is
-   *  worth the more
+   *  \param[in] to_come about how many seeds will follow: the more, the more effort
+   *  pays off now
    *  \param[in] span the share of the progress */
   void
   addSeed(pcl::index_t seed,
@@ -152,7 +152,7 @@ private:
     }
   };
 
-  /** Nothing is known. */
+  /** The state of a point before any comparison. */
   static const State unknown;
 
   /** A seed that a point may belong to. */
@@ -162,7 +162,7 @@ private:
     float low;               ///< at most the cost of the two
     bool is_exact = false;   ///< it is the cost
     std::size_t hint = 0;    ///< the sample to look at first
-    std::int32_t rival = -1; ///< where it stands among the rivals of the block
+    std::int32_t rival = -1; ///< its place among the rivals of the block
 
     /** The smaller CID wins; at equal CID the earlier seed. */
     bool
@@ -171,7 +171,7 @@ private:
       return low < other.low || (low == other.low && rank < other.rank);
     }
 
-    /** From which cost on the other one is better than this. */
+    /** The cost of this one from which on the other one wins. */
     float
     limitAgainst(const Contender& other) const
     {
@@ -204,7 +204,7 @@ private:
     float cid = 0.0f;     ///< at least the CID of the two
   };
 
-  /** What an argmax is of. */
+  /** Which argmax is asked for. */
   struct Query {
     bool seeds; ///< the points that may become seeds; else those that count in r_k
     const SoftDraw* draw = nullptr; ///< whose factors D_min is multiplied by
@@ -229,7 +229,7 @@ private:
     Eigen::ArrayXf caps;
   };
 
-  /** What a point is left out of. */
+  /** What a point is excluded from. */
   enum Mark : std::uint8_t { isolated = 1, no_candidate = 2, no_gain = 4 };
 
   const BlockTree&
@@ -404,7 +404,7 @@ private:
   std::size_t to_come_ = 0;                ///< seeds that will follow
   std::vector<State> states_;              ///< by slot
   std::vector<std::vector<Rival>> rivals_; ///< by block
-  std::vector<std::int32_t> likely_;       ///< by block: whom a point was close to last
+  std::vector<std::int32_t> likely_;       ///< by block: the last seed found close
   std::vector<float> upper_;        ///< by node: at least D_min of each of its points
   std::vector<std::uint8_t> marks_; ///< by slot: of Mark
   std::vector<std::uint8_t> exact_; ///< by block: all is decided, and exactly

@@ -18,15 +18,15 @@
 namespace pcl_cid {
 namespace {
 
-/** With how many blocks the search for the farthest point begins. */
+/** Blocks that the search for the farthest point begins with. */
 constexpr std::size_t most_promising = 128;
 
 /** Blocks that a thread takes at a time: neighbors, whose segments from a seed pass
  *  through the same cells. */
 constexpr std::size_t blocks_at_once = 4;
 
-/** With more seeds than this to come, a point will come up again and again, the more
- *  often the larger its upper bound: the exact value is worth its cost. */
+/** With more seeds than this to come, a point with a large upper bound is examined
+ *  again and again: its exact value is worth the cost. */
 constexpr std::size_t many_to_come = 100;
 
 } // namespace
@@ -44,7 +44,8 @@ BlockGroups::updateAbove(std::size_t node)
 }
 
 /** A point cannot come nearer to any seed than CID_p(p, p) = d(p; S), which is 0 for
- *  the points of S; one that is as near as that would gain nothing by being a seed. */
+ *  the points of S; one that is already as near as that gains nothing by being a seed.
+ */
 bool
 BlockGroups::gains(std::size_t b, int row) const
 {
@@ -55,8 +56,8 @@ BlockGroups::gains(std::size_t b, int row) const
              .of(points_.field().distance(point.position));
 }
 
-/** Whether some seed brings D_min of a point below a floor: one is enough. Most often
- *  it is the one that did for the point of the block before.
+/** Whether some seed brings D_min of a point below a floor: one is enough, most often
+ *  the one that did so for the previous point of the block.
  *  \return the seed, or none; the point's upper bound then takes it into account */
 BlockGroups::Closeness
 BlockGroups::fallsShort(std::size_t b, int row, float floor, Scratch& scratch)
@@ -151,9 +152,9 @@ BlockGroups::farthestOfBlock(std::size_t b,
   }
 }
 
-/** The CID to a seed changes from point to point by no more than they are apart: so do
- *  the samples, and d is 1-Lipschitz. What one point of a block has found out bounds
- *  D_min of the others. */
+/** The CIDs of two points to one seed differ by no more than the points are apart: no
+ *  sample moves farther, and d is 1-Lipschitz. So what is known of one point of a block
+ *  bounds D_min of the others. */
 void
 BlockGroups::shareWithNeighbors(std::size_t b, int row, const Closeness& closest)
 {
@@ -205,7 +206,7 @@ BlockGroups::mostPromising(const std::vector<std::size_t>& blocks) const
   return best;
 }
 
-/** The farthest point of some blocks, side by side.
+/** The farthest point of some blocks, in parallel.
  *  \param[in] blocks each once
  *  \param[in] best of all others so far
  *  \return the best of these, too */

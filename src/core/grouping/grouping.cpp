@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Seeds, and the group of every point: a result that lives on.
+ * Seeds and the group of every point: a result that can be changed.
  */
 
 #include "seed_proposal.h"
@@ -45,8 +45,8 @@ notNull(const PreparedScan::ConstPtr& scan)
 
 } // namespace
 
-/** One verb: all of it happens, or nothing. Where it can be cancelled it works on a
- *  copy, which takes a small part of the time of any verb. */
+/** A verb takes effect as a whole or not at all. Where it can be cancelled it works on
+ *  a copy, which costs little beside any verb. */
 class Grouping::Verb {
 public:
   Verb(Grouping& grouping, const ExecutionOptions& execution)
@@ -86,7 +86,7 @@ public:
     return coverages_.size() == copy_->numberOfSeeds();
   }
 
-  /** Let a traversal work, and take its coverages over.
+  /** Run a traversal, and take over its coverages.
    *  \param[in] run called with it */
   template <typename Run>
   void

@@ -17,8 +17,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** More seeds than this are many: those of one wall, whose CIDs are about the spacing
- *  of the points, and differ by chance. */
+/** More contenders than this are many: typically the seeds of one wall, whose CIDs are
+ *  all about the spacing of the points. */
 constexpr std::size_t few = 16;
 
 } // namespace
@@ -91,7 +91,7 @@ BlockGroups::collectContenders(std::size_t b,
       each.low = std::max(each.low, boundAtHint(each, point));
 }
 
-/** Hints that a comparison improved are of use for the other points of the block. */
+/** Keep improved hints for the other points of the block. */
 void
 BlockGroups::keepHints(std::size_t b, const std::vector<Contender>& contenders)
 {
@@ -130,7 +130,7 @@ BlockGroups::nearestOfFew(const Target& point, bool exactly, Scratch& scratch) c
 /** Of many seeds, the second smallest bound is hardly larger than the smallest and
  *  would raise it by little, again and again: each is compared with the best so far,
  *  once.
- *  \param[in] likely the first one; who wins depends on its cost alone
+ *  \param[in] likely the one to compare first; it does not decide who wins
  *  \param[in] high at least the winner's cost */
 BlockGroups::Contender
 BlockGroups::nearestOfMany(const Target& point,
@@ -140,7 +140,7 @@ BlockGroups::nearestOfMany(const Target& point,
 {
   std::vector<Contender>& open = scratch.contenders;
   sortFrom(likely, open);
-  // Nobody yet, and beaten by whoever costs no more than the winner may.
+  // Sentinel: beaten by any contender that costs no more than the winner may.
   Contender best{-1, 0, std::nextafter(high, infinity), true, 0, -1};
   for (Contender& each : open) {
     if (best < each)
@@ -184,7 +184,7 @@ BlockGroups::compare(Contender& contender,
                             : search.findAtLeast(segment, below, hint).value_or(0.0f);
   if (cid < below || cost.of(cid) >= limit)
     return cost.of(cid);
-  return cost.of(search.pointCID(segment, infinity, hint)); // too close to tell
+  return cost.of(search.pointCID(segment, infinity, hint)); // the bounds cannot tell
 }
 
 } // namespace pcl_cid

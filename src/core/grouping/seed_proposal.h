@@ -29,15 +29,15 @@ struct TraversalOptions {
 /** \brief Algorithm 1 on groups that may have seeds already. */
 class Traversal {
 public:
-  /** \param[in,out] groups what is compared
-   *  \param[in] coverage r_k of the seeds that there are; of no use without any */
+  /** \param[in,out] groups the points and the seeds so far
+   *  \param[in] coverage r_k of the seeds so far; ignored without any */
   Traversal(BlockGroups& groups, float coverage, BlockGroups::Work work)
   : groups_(groups), coverage_(coverage), work_(work)
   {
   }
 
   /** \brief The loop of Algorithm 1.
-   *  \param[in] start the first seed, of use while there are none */
+   *  \param[in] start the first seed; ignored when there are seeds */
   ProposalStop
   run(pcl::index_t start, const TraversalOptions& options);
 

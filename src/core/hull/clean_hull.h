@@ -17,15 +17,15 @@
 
 namespace pcl_cid {
 
-/** \brief Share of the diagonal that a triangle is high at least. */
+/** \brief Least height of a triangle, as a share of the diagonal. */
 constexpr double least_triangle_height = 1e-6;
 
 /** \brief The hull of points that fill space, closed, with no triangle lower than
  *  least_triangle_height.
  *
- *  A vertex that makes a lower one lies all but on the line through two others, and is
- *  left out. The hull then misses points by about that much; by no more than half of
- *  hull_tolerance, or there is no hull.
+ *  The vertex that makes a triangle lower lies almost on the line through the other
+ *  two, and is left out. The hull then misses points by about that height: by no more
+ *  than half of hull_tolerance, or none is returned.
  *  \return no triangles when there is no such hull */
 TriangleMesh
 convexHull(const std::vector<Eigen::Vector3d>& points);

@@ -60,9 +60,9 @@ sourcesOf(const PointSet& points, const pcl::Indices& members)
   return sources;
 }
 
-/** What \a min_thickness is at least: a hull that is thinner than its tolerance would
- * be flat for all that it promises, and one that is hardly thicker than the last places
- *  of its coordinates would be out of shape. */
+/** What \a min_thickness is raised to: a hull thinner than its tolerance may as well be
+ *  flat, and one hardly thicker than the rounding of its coordinates would lose its
+ *  shape. */
 double
 feasibleThickness(const PrincipalBox& box,
                   const Eigen::Vector3d& origin,
@@ -92,7 +92,7 @@ onSlab(const LocalPoints& points, const PrincipalBox& box, int axis, double thic
 }
 
 /** Thicken along the principal axes: a flat part becomes a slab, a line a bar, a point
- * a cube. What comes out fills space. */
+ *  a cube. What comes out fills space. */
 LocalPoints
 thickPoints(LocalPoints points, const PrincipalBox& box, double thickness)
 {
@@ -116,9 +116,9 @@ widened(const LocalPoints& points, const Eigen::Vector3d& shift)
   return moved;
 }
 
-/** The hull of points that fill space, thickened until no direction sees less than
- *  asked; no triangles when there is none. Each round makes one more direction thick
- * and none thinner; a handful are enough. */
+/** The hull of points that fill space, thickened until it is thick enough in every
+ *  direction; no triangles when there is none. Each round makes one more direction
+ *  thick and none thinner; a few are enough. */
 TriangleMesh
 thickHull(const LocalPoints& points, double thickness, bool& thickened)
 {

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * What a hull promises, checked by looking at nothing but its mesh.
+ * The guarantees of a hull, checked on its mesh alone.
  */
 
 #include "base/sentence.h"
@@ -28,7 +28,7 @@ namespace {
 using Verdict = std::optional<std::string>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/** A face, with what it takes to know its plane elsewhere. */
+/** A face, with what it takes to extrapolate its plane. */
 struct Face {
   Eigen::Vector3d origin;     ///< its first corner
   Eigen::Vector3d normal;     ///< outward, of length 1
@@ -41,9 +41,9 @@ struct Face {
     return normal.dot(p - origin);
   }
 
-  /** How far the excess of p may be off when each coordinate may: the plane is carried
-   *  from the corners to p with their weights, which are large where the triangle is
-   *  narrow and p far off. */
+  /** How far rounded coordinates may change the excess of p: the plane is extrapolated
+   *  from the corners to p by their weights, which are large where the triangle is
+   *  narrow and p is far off. */
   double
   doubt(const Eigen::Vector3d& p, double rounding) const
   {
@@ -72,7 +72,7 @@ facesOf(const TriangleMesh& hull)
   return faces;
 }
 
-/** \brief One hull under examination; its surface is all right. */
+/** \brief Examines one hull, whose surface has passed its check. */
 class Examination {
 public:
   Examination(const TriangleMesh& hull,
@@ -154,8 +154,8 @@ private:
     return hull_tolerance * diagonal_;
   }
 
-  /** How far outside of the hull a point is, less than nothing inside, after what
-   *  rounding may explain. */
+  /** How far outside the hull a point is (negative: inside), less what rounding may
+   *  explain. */
   double
   excessOf(const Eigen::Vector3d& p) const
   {

@@ -73,7 +73,7 @@ volumeOf(const TriangleMesh& mesh);
 double
 areaOf(const TriangleMesh& mesh);
 
-/** \brief Centre of the volume of a closed mesh. */
+/** \brief Center of the volume of a closed mesh. */
 Eigen::Vector3d
 centroidOf(const TriangleMesh& mesh);
 

@@ -50,7 +50,7 @@ public:
     return scaled / -half_space.excess(inside_);
   }
 
-  /** \brief The corner that a face of the hull of the points stands for. */
+  /** \brief The corner that a face of the hull of the dual points is. */
   Eigen::Vector3d
   cornerOf(const HalfSpace& face) const
   {

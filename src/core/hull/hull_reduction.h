@@ -18,8 +18,8 @@ namespace pcl_cid {
 /** \brief A convex body around a hull, of few vertices.
  *
  *  An outer approximation by half-spaces: from the principal box (below 8 vertices,
- * from a tetrahedron around it), face planes of the hull cut away what is farthest
- * outside, as long as the vertices are not too many. All of it lies within that box or
+ *  from a tetrahedron around it), face planes of the hull cut away what is farthest
+ *  outside, as long as the vertices are not too many. All of it lies within that box or
  *  tetrahedron; a hull that has few enough vertices stays as it is.
  *  \param[in] hull closed and convex
  *  \param[in] max_vertices 0 for any number, or at least 4

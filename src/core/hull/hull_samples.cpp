@@ -27,7 +27,7 @@ recurrence(std::size_t n, double step)
 }
 
 /** The share that a sample has of each corner of a simplex, evenly from a cube: the
- * gaps between its sorted coordinates. */
+ *  gaps between its sorted coordinates. */
 template <std::size_t Size>
 std::array<double, Size + 1>
 cornerShares(std::array<double, Size> coordinates)
@@ -43,7 +43,7 @@ cornerShares(std::array<double, Size> coordinates)
   return shares;
 }
 
-/** Deal out samples to items by their weight: \a place(item, n) for n = 0, 1, ... */
+/** Distribute samples over items by weight: \a place(item, n) for n = 0, 1, ... */
 template <typename Place>
 void
 dealOut(const std::vector<double>& weights, std::size_t count, const Place& place)

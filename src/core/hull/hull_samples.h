@@ -19,7 +19,7 @@
 namespace pcl_cid {
 
 /** \brief The n-th of a sequence of points that fill the unit cube ever more evenly, by
- *  steps of the generalised golden ratio: what additive recurrences use. */
+ *  steps of the generalized golden ratio: what additive recurrences use. */
 Eigen::Vector3d
 evenInCube(std::size_t n);
 

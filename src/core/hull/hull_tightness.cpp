@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * How tightly hulls fit the scan that they stand for.
+ * How tightly hulls fit the scan that they represent.
  */
 
 #include "base/parallel_for.h"
@@ -50,7 +50,7 @@ requireValid(const TightnessOptions& options)
   requireAtLeast<std::size_t>("number of box samples", options.box_samples, 1);
 }
 
-/** The options, once they are known to be right: before any work. */
+/** The options, checked before any work. */
 const TightnessOptions&
 valid(const TightnessOptions& options)
 {
@@ -58,8 +58,8 @@ valid(const TightnessOptions& options)
   return options;
 }
 
-/** That of the scan, where its surface is all of its points; the field keeps the scan
- *  alive. */
+/** The field of the scan, where its surface is exactly its points; the pointer keeps
+ *  the scan alive. */
 std::shared_ptr<const DistanceField>
 fieldOfPoints(const PreparedScan::ConstPtr& scan, const TightnessOptions& options)
 {
@@ -69,7 +69,7 @@ fieldOfPoints(const PreparedScan::ConstPtr& scan, const TightnessOptions& option
                                                fieldOptions(options));
 }
 
-/** \brief What tells the points inside a hull from the others. */
+/** \brief Tells which points are inside a hull. */
 class Inside {
 public:
   explicit Inside(const TriangleMesh& hull) : half_spaces_(halfSpacesOf(hull))
@@ -93,7 +93,7 @@ private:
   std::vector<HalfSpace> half_spaces_;
 };
 
-/** The hulls about the origin of the scan. */
+/** The hulls in the local frame of the scan. */
 std::vector<TriangleMesh>
 localHulls(const std::vector<ConvexPart>& parts, const Frame& frame)
 {

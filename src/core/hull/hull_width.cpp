@@ -19,7 +19,7 @@ namespace {
 
 /** \brief The vertices of a convex mesh, each with those that it shares an edge with.
  *
- *  A vertex with no neighbour farther along a direction is the farthest of all: so
+ *  A vertex with no neighbor farther along a direction is the farthest of all: so
  *  looking for that one is a short walk. */
 class VertexGraph {
 public:
@@ -112,7 +112,7 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
  *
  *  Between the normals of the edge's two faces, the width is that between this corner
  *  and the polygon's other side. It is least along one of the two normals, or across a
- *  side of the polygon; those are visited as by rotating callipers. */
+ *  side of the polygon; those are visited as by rotating calipers. */
 class ViewAlongEdge {
 public:
   ViewAlongEdge(const VertexGraph& graph,

@@ -27,7 +27,7 @@ struct Width {
  *  smallest distance of two parallel planes that the mesh fits between.
  *
  *  They touch it in a face and a vertex, or in two edges.
- *  \note Cost: for each face, and for few of the edges, a walk over neighbouring
+ *  \note Cost: for each face, and for few of the edges, a walk over neighboring
  *  vertices. */
 Width
 leastWidth(const TriangleMesh& hull);

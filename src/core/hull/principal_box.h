@@ -21,7 +21,7 @@ struct PrincipalBox {
   Eigen::Matrix3d axes; ///< columns, a right-handed basis
   Eigen::Vector3d extents;
 
-  /** \brief Coordinates along the axes, from the centre. */
+  /** \brief Coordinates along the axes, from the center. */
   Eigen::Vector3d
   toLocal(const Eigen::Vector3d& p) const
   {

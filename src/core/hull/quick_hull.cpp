@@ -62,7 +62,7 @@ farthest(const Cloud& cloud, const Function& function)
       ->getVector3fMap();
 }
 
-/** Whether a simplex of far points is nowhere flat. */
+/** Whether the points fill space: a simplex of extreme ones is not flat. */
 bool
 fillsSpace(const Cloud& cloud)
 {

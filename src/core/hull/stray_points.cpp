@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points that have nothing to do with the part they are in.
+ * Stray points: those that do not belong to the part they are in.
  */
 
 #include "stray_points.h"
@@ -70,8 +70,8 @@ private:
     std::size_t parent;
   };
 
-  /** Linked points are at most two cells apart. Of those cells, every second one comes
-   *  later in the order of cells: in the rows (0, 0), (0, 1), (0, 2), (1, -2) ... */
+  /** Linked points are at most two cells apart. Half of those cells come later in the
+   *  order of cells: in the rows (0, 0), (0, 1), (0, 2), (1, -2) ... */
   static constexpr std::size_t rows = 13;
 
   void
@@ -100,9 +100,8 @@ private:
     return points_[cells_[cell].begin].cell;
   }
 
-  /** Link all cells with those in a row that later cells make up: two steps to either
-   *  side, and to where the row is. As the cells are in order, so are the rows: what
-   * was passed once is never needed again. */
+  /** Link every cell with those of one of its later rows, up to two cells to either
+   *  side. Cells are in order, and so are their rows, so one sweep is enough. */
   void
   linkWithRow(std::size_t row)
   {

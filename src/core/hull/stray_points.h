@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points that have nothing to do with the part they are in.
+ * Stray points: those that do not belong to the part they are in.
  */
 
 #pragma once

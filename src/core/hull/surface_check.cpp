@@ -30,7 +30,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 /** How often each directed edge occurs. */
 using EdgeUses = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
 
-/** Share of the diagonal that a triangle is higher than, when it is not degenerate. */
+/** A triangle no higher than this share of the diagonal is degenerate. */
 constexpr double degenerate_height = 1e-7;
 
 Verdict

@@ -18,8 +18,9 @@ namespace pcl_cid {
 
 /** \brief What is wrong with the surface of a mesh, as a sentence.
  *
- *  Right is: finite vertices, all of them used; each edge once in either direction;
- *  V - E + F = 2; no triangle lower than 1e-7 of the diagonal; normals outward. */
+ *  A sound one has finite vertices, all of them used; each edge once in either
+ *  direction; V - E + F = 2; no triangle lower than 1e-7 of the diagonal; normals
+ *  outward. */
 std::optional<std::string>
 findBrokenSurface(const TriangleMesh& mesh);
 

@@ -32,8 +32,8 @@ struct GroupCIDs::Effort {
   bool exact_at_farthest; ///< whether the best of them is evaluated
 };
 
-/** The middle shows that most groups are far from each other. Each step after that is
- *  a fraction of the next one's cost, and settles many of the pairs. */
+/** The middle sample alone shows that most groups are far apart. Each later step costs
+ *  a fraction of the next one, and rules out many of the pairs. */
 constexpr std::array<GroupCIDs::Effort, 3> GroupCIDs::efforts = {
     {{1, false}, {3, false}, {3, true}}};
 
@@ -54,7 +54,7 @@ GroupCIDs::GroupCIDs(const WorkingPoints& points,
   for (std::size_t i = 0; i < drawn_.size(); ++i)
     for (std::size_t j = i + 1; j < drawn_.size(); ++j)
       pairs.push_back({i, j});
-  // The whole tree depends on every pair: bounds first would be of no use.
+  // The whole tree depends on every pair, so bounds would save nothing.
   const bool exactly = options.makesWholeTree();
   parallelFor(pairs.size(),
               1,
@@ -161,7 +161,7 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
   return std::max(largest * (1.0f - rounding) - segment.slack, 0.0f);
 }
 
-/** Where the progress stands, if all pairs were to be made exact. */
+/** The share of the progress, as if all pairs were to be made exact. */
 ProgressSpan
 GroupCIDs::share() const
 {

@@ -23,7 +23,8 @@
 namespace pcl_cid {
 
 /** \brief CID_g of the groups that Algorithm 2 begins with: rough lower bounds for all
- *  pairs, then, for those that are asked for, better ones and at last exact values. */
+ *  pairs, then better ones and finally exact values for the pairs that are asked for.
+ */
 class GroupCIDs {
 public:
   struct Pair {

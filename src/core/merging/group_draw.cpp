@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Which pairs of points stand for two groups: Eq. 4 with spread draws.
+ * Which pairs of points represent two groups: Eq. 4 with spread draws.
  */
 
 #include "group_draw.h"

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Which pairs of points stand for two groups: Eq. 4 with spread draws.
+ * Which pairs of points represent two groups: Eq. 4 with spread draws.
  */
 
 #pragma once
@@ -34,8 +34,8 @@ drawSpread(const Points& points,
 
 /** \brief A rank-1 lattice of n points in a square of n x n cells: point k is in column
  *  k and row k step() mod n, so one is in each column and one in each row, and they are
- *  spread over the square as evenly as the golden ratio does it (Korobov's lattices;
- *  those of the Fibonacci numbers are the best known). */
+ *  spread over the square as evenly as multiples of the golden ratio are (Korobov's
+ *  lattices; those of the Fibonacci numbers are the best known). */
 class PairLattice {
 public:
   /** \param[in] size n, at least 1 */

@@ -69,7 +69,7 @@ drawFromGroups(const Points& points,
   return members;
 }
 
-/** Pairs of groups that are worked on side by side, when the next merge depends on one.
+/** Pairs of groups that are tightened in parallel, when the next merge depends on one.
  */
 constexpr std::size_t most_at_once = 16;
 
@@ -124,8 +124,8 @@ private:
     std::size_t a, b;           ///< clusters
     std::size_t name_a, name_b; ///< their names, the lower one first
 
-    /** Comes later in the queue. At equal values bounds are looked at first, since they
-     *  may hide a pair of lower names; then the lowest names win. */
+    /** Comes later in the queue. At equal values bounds come first, since they may hide
+     *  a pair of lower names; then the lowest names win. */
     bool
     operator<(const Entry& other) const
     {
@@ -270,8 +270,7 @@ private:
   std::priority_queue<Entry> queue_;
 };
 
-/** Up to which height the merges of a tree, which may have been stopped, are all there.
- */
+/** The height up to which no merge is missing, even from a tree that was stopped. */
 double
 knownHeight(const std::vector<MergeStep>& steps,
             std::size_t groups,

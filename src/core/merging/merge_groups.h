@@ -20,7 +20,7 @@
 
 namespace pcl_cid {
 
-/** \brief All that Algorithm 2 depends on but the points. */
+/** \brief All that Algorithm 2 depends on, except for the points. */
 struct GroupMergingOptions : MergingSettings {
   int samples = setting::samples.initial;                   ///< M
   std::uint64_t random_seed = setting::random_seed.initial; ///< of the draw

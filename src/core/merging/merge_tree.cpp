@@ -94,7 +94,7 @@ MergeTree::cutAtElbow() const
   const double lowest = steps_.front().height;
   const double range = steps_.back().height - lowest;
   if (!(range > 0.0))
-    return cutAfterMerges(steps_.size()); // no merge is dearer than another
+    return cutAfterMerges(steps_.size()); // all merges cost the same
   std::size_t merges = 0;
   double deepest = 0.0;
   for (std::size_t n = 0; n < steps_.size(); ++n) {

@@ -35,9 +35,10 @@ constexpr float pi = 3.14159265f;
 constexpr std::size_t most_drawn = 20000;
 /** How far from straight down floor is looked for, as a tangent: 80 degrees. */
 constexpr float widest = 5.671f;
-/** What is narrower is hardly more than the gap between two rays. */
+/** Anything narrower may be the gap between two rays. */
 constexpr float narrowest = 0.1f;
-/** Twice the least area of three points that are not on one line; PCL's is smaller. */
+/** Twice the least area of three points that count as not collinear; PCL's is smaller.
+ */
 constexpr float least_area = 1e-4f;
 /** How far from level a floor may be: 10 degrees. */
 constexpr double largest_tilt = 10.0 * 0.017453292519943295;
@@ -54,7 +55,7 @@ constexpr float roughness = 0.25f;
  *  radii of the blind spot. */
 constexpr float empty = 0.8f;
 constexpr float ring_end = 1.4f;
-/** What is so much sparser than the ring is empty. */
+/** The disc is empty when its density is below this share of the ring's. */
 constexpr float sparse = 0.1f;
 /** Most points of the filling along a radius. */
 constexpr float finest = 100.0f;
@@ -102,7 +103,7 @@ struct Plumb {
   }
 };
 
-/** The floor, with down at right angles to it. */
+/** The floor; down is its normal. */
 struct Floor {
   Plumb plumb;
   float height; ///< of the sensor above it
@@ -115,7 +116,7 @@ struct Floor {
   }
 };
 
-/** The points themselves where they are few. */
+/** A draw of the points under the sensor; all of them where there are few points. */
 Points
 drawUnderneath(const Points& points, const Plumb& plumb)
 {
@@ -130,7 +131,7 @@ drawUnderneath(const Points& points, const Plumb& plumb)
   return drawn;
 }
 
-/** How far down almost the lowest of them is. */
+/** The depth that only a share of `share_below` of the points exceeds. */
 float
 lowestDepth(const Points& points, const Plumb& plumb)
 {
@@ -144,8 +145,8 @@ lowestDepth(const Points& points, const Plumb& plumb)
   return *lowest;
 }
 
-/** What is below the half of the way down: the floor is among it, but no table, and no
- *  part of the scanner. */
+/** The points in the lower half: the floor is among them, but no table and no part of
+ *  the scanner. */
 Points
 lowerHalf(const Points& points, const Plumb& plumb, float lowest)
 {
@@ -165,7 +166,7 @@ sectorsWith(const Points& points, const Plumb& plumb)
   return static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
 }
 
-/** Draws three points again, without PCL's message, when they are on one line. */
+/** Draws three points again when they are collinear, without PCL's message. */
 class LevelPlane : public pcl::SampleConsensusModelPerpendicularPlane<pcl::PointXYZ> {
 public:
   LevelPlane(const PointCloudConstPtr& cloud, const Eigen::Vector3f& down)
@@ -188,11 +189,11 @@ protected:
 };
 
 /** The level plane that most of the points are on, by RANSAC.
- *  \param[in] lowest depth of almost all of them */
+ *  \param[in] lowest the depth that few of them exceed */
 std::optional<Floor>
 fitFloor(const Points& points, const Plumb& plumb, float lowest)
 {
-  // About the sensor, in units of the depth: PCL takes what is tiny for nothing.
+  // Relative to the sensor, in units of the depth: PCL's thresholds are absolute.
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector3f& p : points) {
     const Eigen::Vector3f v = (p - plumb.sensor) / lowest;
@@ -293,7 +294,7 @@ findBlindSpot(const Points& points,
   const float lowest = lowestDepth(underneath, plumb);
   const Points lower = lowerHalf(underneath, plumb, lowest);
   if (sectorsWith(lower, plumb) < least_sectors)
-    return std::nullopt; // not all around; so they are not on one line, either
+    return std::nullopt; // not all around; what passes is not collinear, either
   const std::optional<Floor> floor = fitFloor(lower, plumb, lowest);
   if (!floor)
     return std::nullopt;

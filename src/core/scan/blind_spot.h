@@ -36,15 +36,15 @@ struct BlindSpot {
  *  The scanner's mount and the end of its field of view hide a disc of floor under it.
  *  A segment across that disc is far from all points, though nothing says that the
  *  space is free: CID takes a floor around a scanner for a concave ring. With the
- *  filling as a part of the surface it is the disc that it is.
+ *  filling as a part of the surface, it is a flat floor again.
  *
  *  There is a blind spot where
  *  - a plane, level to within 10 degrees, is the lowest that is seen around the sensor;
  *  - it is seen from about the same distance on, to within a quarter, in at least two
  *    thirds of all directions, 6 to 80 degrees from straight down;
  *  - nearer to the foot of the sensor nothing was seen past half of the way down: no
- *    floor, no platform, no pit (a tenth of the density of the floor around is
- *    nothing).
+ *    floor, no platform, no pit (less than a tenth of the density of the floor around
+ *    counts as nothing).
  *
  *  An even scan has none, wherever its origin is, as there is no round hole in its
  *  floor; nor has a single depth view, which does not see floor all around.

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points that stand apart from all others.
+ * Isolated points: those with too few others near them.
  */
 
 #include "base/requirements.h"
@@ -18,7 +18,7 @@
 namespace pcl_cid {
 namespace {
 
-/** The spacing that the neighbours of a point have among themselves. */
+/** The spacing that the neighbors of a point have among themselves. */
 float
 spacingAround(const NearestNeighbors& neighbors, std::size_t point)
 {

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Colours as people tell them apart.
+ * Perceptual colors, CIE L*a*b*.
  */
 
 #include "lab_color.h"
@@ -34,7 +34,7 @@ lightness(double share_of_white)
 Eigen::Vector3f
 labOf(const ColorRGB& color)
 {
-  // By its name the other way round, but it is the curve from sRGB to linear light.
+  // Despite its name, this is the curve from sRGB to linear light.
   static const std::array<double, 256> linear = pcl::RGB2sRGB_LUT<double>();
   static const Eigen::Matrix3d to_xyz = // IEC 61966-2-1
       (Eigen::Matrix3d() << 0.4124,

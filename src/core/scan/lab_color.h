@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Colours as people tell them apart.
+ * Perceptual colors, CIE L*a*b*.
  */
 
 #pragma once
@@ -18,15 +18,15 @@
 
 namespace pcl_cid {
 
-/** \brief CIE L*a*b* of a colour, for the white of sRGB (D65): L* is 0 to 100.
+/** \brief CIE L*a*b* of a color, for the white of sRGB (D65): L* is 0 to 100.
  *
- *  The difference of two colours is about their Euclidean distance here; 2.3 can just
- *  be seen. */
+ *  The difference of two colors is about their Euclidean distance here; 2.3 is just
+ *  noticeable. */
 Eigen::Vector3f
 labOf(const ColorRGB& color);
 
-/** \brief L*a*b* of each point, as the mean over itself and its neighbours: a sensor's
- *  colours are noisy, and the surfaces of things are larger than nine points.
+/** \brief L*a*b* of each point, as the mean over itself and its neighbors: a sensor's
+ *  colors are noisy, and most surfaces span more than nine points.
  *  \param[in] colors of the points
  *  \param[in] neighbors of the points */
 std::vector<Eigen::Vector3f>

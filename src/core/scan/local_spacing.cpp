@@ -18,7 +18,7 @@
 namespace pcl_cid {
 namespace {
 
-/** The lower one of two. */
+/** The lower median of an even number. */
 float
 medianReach(const NearestNeighbors& neighbors)
 {

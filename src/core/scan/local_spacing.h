@@ -16,18 +16,18 @@
 
 namespace pcl_cid {
 
-/** Spacings below this share of the median count as this much: a sensor that is held
- *  close to a thing resolves more than a thing's shape needs. */
+/** Smaller spacings count as this share of the median: a sensor held close to an object
+ *  resolves more than its shape needs. */
 constexpr float least_spacing = 0.2f;
 
-/** And spacings above this multiple of the median as that much. */
+/** Larger spacings count as this multiple of the median. */
 constexpr float most_spacing = 100.0f;
 
 /** DensityWeight::automatic is on from this spread of the spacing. Points that are
  *  drawn evenly from surfaces have about 1.5, whatever the surfaces. */
 constexpr float uneven_spread = 1.9f;
 
-/** \brief s(p) of each point: the distance to its eighth neighbour over the median of
+/** \brief s(p) of each point: the distance to its eighth neighbor over the median of
  *  the cloud, within `least_spacing` and `most_spacing`, to a power.
  *  \param[in] neighbors of the points
  *  \param[in] power 0 for 1 everywhere (the paper), 1 for the spacing itself; 0 to 4
@@ -39,9 +39,9 @@ localSpacing(const NearestNeighbors& neighbors, float power);
 /** \brief How uneven the spacing is: the spacing that 90 % of the surface does not
  *  exceed over the one that 10 % does not.
  *
- *  Each point stands for an area, the square of its spacing: counted by points, what a
- *  sensor sees from near would hide what it sees from afar. The sparsest 2 % of the
- *  points do not count: stray points are few, but each of them would stand for much.
+ *  Each point stands for an area, the square of its spacing: counted by points, nearby
+ *  surfaces would outweigh distant ones. The sparsest 2 % of the points do not count:
+ *  stray points are few, but each would stand for a large area.
  *  \param[in] neighbors of the points
  *  \param[in] isolated further points that do not count (see isolatedPoints()),
  *  ascending

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The nearest neighbours of every point of a set.
+ * The nearest neighbors of every point of a set.
  */
 
 #include "base/parallel_for.h"
@@ -135,7 +135,7 @@ scan(const PointBlock& block,
       nearest.offer(squared[row], block.index[row]);
 }
 
-/** Look at the blocks below a node, but for one.
+/** Search the blocks below a node, except for one.
  *  \param[in] p padded */
 void
 descend(const BlockTree& tree,

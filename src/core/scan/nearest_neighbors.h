@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The nearest neighbours of every point of a set.
+ * The nearest neighbors of every point of a set.
  */
 
 #pragma once
@@ -17,21 +17,21 @@
 
 namespace pcl_cid {
 
-/** \brief The nearest neighbours of every point: eight, or fewer where there are not
+/** \brief The nearest neighbors of every point: eight, or fewer where there are not
  *  nine places with a point.
  *
- *  Neighbours are other places: points with equal coordinates, as merged scans have
- *  them, are one place, that of the first of them, and have the same neighbours. So a
- *  distance to a neighbour is never 0, and what is said about a cloud does not change
- *  when its points are doubled. At equal distance the place of lower index comes first.
+ *  Neighbors are other places: points with equal coordinates, as merged scans have
+ *  them, are one place, that of the first of them, and have the same neighbors. So a
+ *  distance to a neighbor is never 0, and results do not change when the points of a
+ *  cloud are doubled. At equal distance the place of lower index comes first.
  *
- *  Local spacing, isolated points and smooth colours are all read off one of these. */
+ *  Local spacing, isolated points and smooth colors all derive from one of these. */
 class NearestNeighbors {
 public:
-  /** The number of neighbours looked for. */
+  /** The number of neighbors looked for. */
   static constexpr std::size_t most = 8;
 
-  /** \brief Find the neighbours of every point.
+  /** \brief Find the neighbors of every point.
    *  \param[in] points finite, metres
    *  \param[in] execution threads and progress; never change a result
    *  \throws CIDCancelled
@@ -46,21 +46,21 @@ public:
     return distances_.size();
   }
 
-  /** \brief Neighbours of each point: `most`, or all other places. */
+  /** \brief Neighbors of each point: `most`, or all other places. */
   std::size_t
   count() const
   {
     return count_;
   }
 
-  /** \brief The k-th nearest neighbour of a point, k from 0 to count() - 1. */
+  /** \brief The k-th nearest neighbor of a point, k from 0 to count() - 1. */
   pcl::index_t
   neighbor(std::size_t point, std::size_t k) const
   {
     return neighbors_[point * count_ + k];
   }
 
-  /** \brief Distance to the last neighbour, metres; 0 where there is none. */
+  /** \brief Distance to the last neighbor, metres; 0 where there is none. */
   float
   reach(std::size_t point) const
   {

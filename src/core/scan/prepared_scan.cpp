@@ -29,7 +29,7 @@
 namespace pcl_cid {
 namespace {
 
-/** Squared distances must stay far from the end of float. */
+/** Beyond this, squared distances come too close to the largest float. */
 constexpr float largest_coordinate = 1e15f;
 
 void
@@ -96,7 +96,7 @@ startPosition(const PointSet& points,
   return candidates[drawBelow(generator, candidates.size())];
 }
 
-/** Those of some indices that are not among others; both ascending. */
+/** The indices that are not among others; both ascending. */
 pcl::Indices
 without(const pcl::Indices& all, const pcl::Indices& others)
 {
@@ -106,7 +106,7 @@ without(const pcl::Indices& all, const pcl::Indices& others)
   return left;
 }
 
-/** Of so many points, those that may become seeds, ascending. */
+/** The points that may become seeds, ascending; without candidates, all. */
 pcl::Indices
 possibleSeeds(const pcl::Indices& candidates, std::size_t points)
 {
@@ -181,8 +181,8 @@ placeOf(const SurfacePoints& surface)
 
 } // namespace
 
-/** Each step draws from the generator in its turn: which points are drawn depends on
- *  the start before them, and the seed of soft draws on both. */
+/** The order of the steps matters, since all draw from one generator: the subsample
+ *  depends on the start, and the seed of soft draws on both. */
 class PreparedScan::Maker {
 public:
   Maker(RawScan scan, PreparedScan& made, const ExecutionOptions& execution)
@@ -277,10 +277,10 @@ private:
       if (const pcl::index_t drawn = made_.set_->indexOf(position); drawn >= 0)
         made_.candidates_.push_back(drawn);
     if (!positions.empty() && made_.candidates_.empty())
-      made_.candidates_ = {made_.start_}; // none was drawn: the start stands alone
+      made_.candidates_ = {made_.start_}; // none was drawn: only the start is left
   }
 
-  /** Spacing, isolated points, colors: what the settings need of them. */
+  /** Spacing, isolated points and colors, as far as the settings need them. */
   void
   lookAtNeighbors()
   {
@@ -300,7 +300,7 @@ private:
           colorsInMetres(*made_.set_, scan_.colors, neighbors, settings_.color);
   }
 
-  /** Isolated points are passed over, unless nothing else is left. */
+  /** Isolated points are no candidates, unless nothing else is left. */
   void
   passOverIsolated()
   {

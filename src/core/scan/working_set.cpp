@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The points that the method works on, and how its groups are carried on to all
+ * The points that the method works on, and how results carry over to all
  * others.
  */
 
@@ -103,7 +103,7 @@ WorkingSet::findFollowed(bool surface_is_drawn, const ExecutionOptions& executio
                 for (std::size_t i = begin; i < end; ++i)
                   follows_[i] = near.nearest(all_.points[i]);
               });
-  // A duplicate of a drawn point may be just as near; a drawn point follows itself.
+  // A duplicate of a drawn point may be as near; a drawn point must follow itself.
   for (std::size_t k = 0; k < position_.size(); ++k)
     follows_[static_cast<std::size_t>(position_[k])] = static_cast<pcl::index_t>(k);
 }

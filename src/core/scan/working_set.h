@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The points that the method works on, and how its groups are carried on to all
+ * The points that the method works on, and how results carry over to all
  * others.
  */
 
@@ -22,7 +22,7 @@ namespace pcl_cid {
 struct SurfacePoints {
   /** S, about the origin of the points that are grouped; empty: these are S. */
   Points given;
-  /** Points that are a part of S then, too. */
+  /** Further points of S in that case (the blind spot). */
   Points filling;
 };
 
@@ -31,8 +31,9 @@ struct SurfacePoints {
  *
  *  Full resolution (the default) works on all the points. The paper's protocol (section
  *  V.A) is a draw of 20,000: those are the surface, the points that are grouped and the
- *  candidate seeds in one; every other point follows its Euclidean-nearest one.
- *  Positions below count the points of the set that was given. */
+ *  candidate seeds in one; every other point follows its Euclidean-nearest one. Below,
+ *  a *position* counts the points of the set that was given, an *index* those of
+ *  points(). */
 class WorkingSet {
 public:
   /** \brief Draw the set and build the field of its surface.

@@ -184,7 +184,7 @@ matchInstances(const ClassOverlaps& overlaps, double threshold)
   std::vector<bool> hits_any(overlaps.predictions.size(), false);
   auto overlap = overlaps.overlaps.begin();
   for (std::size_t truth = 0; truth < overlaps.truth_counts.size(); ++truth) {
-    std::optional<double> best; // confidence of what this truth has found
+    std::optional<double> best; // confidence of the match of this truth
     for (; overlap != overlaps.overlaps.end() && overlap->truth == truth; ++overlap) {
       if (!(overlap->iou > threshold))
         continue;

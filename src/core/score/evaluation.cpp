@@ -57,8 +57,8 @@ scoreAt(double threshold,
   recall = recallOf(matches);
 }
 
-/** Mean over the thresholds 0.50, 0.55 ... 0.90; as quotients, which are the doubles
- *  next to them, so that an IoU of 3/5 is not above 0.60. */
+/** Mean over the thresholds 0.50, 0.55 ... 0.90; as quotients, which round to the
+ *  nearest double, so that an IoU of 3/5 is not above 0.60. */
 double
 meanAveragePrecision(const ClassOverlaps& overlaps)
 {
@@ -111,7 +111,7 @@ addMean(EvaluationProtocol protocol, Evaluation& evaluation)
   }
 }
 
-/** What is counted of all instances of one or more scans. */
+/** Counts over all instances of one or more scans. */
 struct Totals {
   std::size_t pure_points = 0;
   double iou = 0.0;

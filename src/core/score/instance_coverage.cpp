@@ -41,7 +41,7 @@ bestIoUs(const InstanceOverlaps& scan, std::uint32_t semantic)
   return best;
 }
 
-/** What is added up of one class. */
+/** The sums of one class. */
 struct Sums {
   double mean = 0.0;
   double weighted_mean = 0.0;

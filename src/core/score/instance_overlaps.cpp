@@ -21,7 +21,7 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/** How often each pair of numbers occurs, in ascending order. */
+/** How often each pair of numbers occurs; the pairs ascend. */
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>
 countPairs(const Numbers& first, const Numbers& second)
 {
@@ -56,7 +56,7 @@ instancesOf(const Numbers& labels, const Numbers& classes)
   return instances;
 }
 
-/** Where the instance of this label is; their number when there is none. */
+/** Index of the instance of this label; the number of instances when there is none. */
 template <typename AnyInstance>
 std::size_t
 indexOf(std::uint32_t label, const std::vector<AnyInstance>& instances)
