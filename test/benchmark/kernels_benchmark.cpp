@@ -15,7 +15,7 @@
 #include <pcl_cid/core/group_merging.h>
 #include "base/random.h"
 #include <pcl_cid/core/grouping.h>
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <benchmark/benchmark.h>
 

@@ -21,7 +21,7 @@ TEST(FrameTest, IsThatOfTheFileUnlessMoved)
   EXPECT_EQ(Frame().toFile(p), p);
 }
 
-TEST(FrameTest, KeepsMillimetresFarAway)
+TEST(FrameTest, KeepsMillimetersFarAway)
 {
   const Frame frame{{524288.0, 4194304.0, 0.0}};
   const Eigen::Vector3d p(524289.001, 4194306.002, 0.003);
