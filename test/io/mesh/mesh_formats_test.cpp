@@ -135,7 +135,9 @@ countsFormat()
 
 TEST(RegisteredMeshFormat, IsKnownToScenesToo)
 {
-  registerMeshFormat(countsFormat());
+  const std::vector<std::string> known = meshExtensions();
+  if (std::count(known.begin(), known.end(), ".counts") == 0) // tests may be repeated
+    registerMeshFormat(countsFormat());
   const std::string triangles = std::to_string(someParts()[0].hull.triangles.size());
   EXPECT_EQ(meshNamed("x/hulls.counts").rfind("hulls.colors " + triangles, 0), 0u);
   EXPECT_EQ(materialsBeside("x/hulls.counts"), "x/hulls.colors");
