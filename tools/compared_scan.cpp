@@ -9,7 +9,7 @@
 
 #include "compared_scan.h"
 
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/scan_source.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct ReadScan {
   Eigen::Vector3d
   point(std::size_t i) const
   {
-    return (*points.points)[i].getVector3fMap().cast<double>() + points.offset;
+    return points.frame.toFile((*points.points)[i].getVector3fMap().cast<double>());
   }
 
   std::vector<std::uint32_t>

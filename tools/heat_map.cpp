@@ -126,7 +126,7 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
   console.begin("Saving " + settings.output);
   setFloats(cids, "cid", cloud);
   outputs.write(settings.output, [&](std::ostream& stream) {
-    writeCloud(stream, cloud, formatFor(settings.output, cloud.format));
+    writeCloud(stream, cloud, layoutFor(settings.output, cloud.layout));
   });
   console.end(std::to_string(cloud.size()) + " points", "save", report);
   if (!settings.report.empty())

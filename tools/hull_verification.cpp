@@ -102,7 +102,7 @@ pointsOf(const ConvexPart& part,
     inside.push_back((*points.points)[static_cast<std::size_t>(index)]
                          .getVector3fMap()
                          .cast<double>() +
-                     (points.offset - origin));
+                     (points.frame.origin - origin));
   return inside;
 }
 
@@ -159,7 +159,7 @@ verifyParts(const std::string& folder,
 {
   for (std::size_t k = 0; k < verification.parts.size(); ++k) {
     const std::string path =
-        std::filesystem::path(folder) / partFileName(k, scene.mesh_format);
+        std::filesystem::path(folder) / partFileName(k, scene.mesh_extension);
     named(path, [&] {
       const StoredHulls stored = readHulls(path, {verification.parts[k]}, outputs);
       verifyHull(k, stored.hulls.front(), stored.is_float, scene.origin, verification);

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/scene_export.h>
 

@@ -99,10 +99,10 @@ makeParts(const AbstractSettings& settings,
   result.dropped_points = abstraction.getNumberOfDroppedPoints();
   report.parameters = parametersOf(settings, abstraction);
   describeDensity(abstraction.getDensityDecision(), console, report);
-  describeBlindSpot(abstraction.getBlindSpot(), points.offset, console, report);
+  describeBlindSpot(abstraction.getBlindSpot(), points.frame.origin, console, report);
   describeProposal(proposal, points, report);
   measureTightness(settings, points, abstraction, console, report, result);
-  translate(points.offset, result.parts);
+  moveToFile(points.frame, result.parts);
   return result;
 }
 
@@ -181,7 +181,7 @@ writeLabels(const AbstractSettings& settings,
       labels[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(i + 1);
   setLabels(labels, settings.labelType(), cloud);
   outputs.write(settings.labels, [&](std::ostream& stream) {
-    writeCloud(stream, cloud, formatFor(settings.labels, cloud.format));
+    writeCloud(stream, cloud, layoutFor(settings.labels, cloud.layout));
   });
 }
 

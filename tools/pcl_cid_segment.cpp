@@ -114,7 +114,7 @@ propagateLabels(const SegmentSettings& settings,
   console.end(std::to_string(proposal.seeds.size()) + " seeds", "segment", report);
   report.parameters = parametersOf(settings, propagation);
   describeDensity(propagation.getDensityDecision(), console, report);
-  describeBlindSpot(propagation.getBlindSpot(), points.offset, console, report);
+  describeBlindSpot(propagation.getBlindSpot(), points.frame.origin, console, report);
   describeProposal(proposal, points, report);
   for (std::size_t k = 0; k < proposal.seeds.size(); ++k)
     report.seed_labels.push_back(
@@ -175,7 +175,7 @@ segment(const SegmentSettings& settings)
   console.begin("Saving " + settings.output);
   setLabels(scan.labels, settings.labelType(), cloud);
   outputs.write(settings.output, [&](std::ostream& stream) {
-    writeCloud(stream, cloud, formatFor(settings.output, cloud.format));
+    writeCloud(stream, cloud, layoutFor(settings.output, cloud.layout));
   });
   if (!settings.propose.empty())
     outputs.write(settings.propose, [&](std::ostream& stream) {

@@ -9,6 +9,8 @@
 
 #include "scene_outputs.h"
 
+#include <pcl_cid/io/mesh_formats.h>
+
 #include <cmath>
 #include <filesystem>
 #include <ostream>
@@ -79,7 +81,7 @@ writeParts(const std::string& folder,
 {
   announceOldParts(folder, outputs);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string path = fs::path(folder) / partFileName(i, scene.mesh_format);
+    const std::string path = fs::path(folder) / partFileName(i, scene.mesh_extension);
     outputs.announce(path);
     outputs.write(path, [&](std::ostream& s) { writePartMesh(s, parts, i, scene); });
   }
@@ -165,7 +167,7 @@ writeScenes(const SceneSettings& settings,
     return description;
   description.frame = settings.frame;
   description.origin = sceneOrigin(parts);
-  description.mesh_format = static_cast<PartFormat>(settings.parts_format);
+  description.mesh_extension = partMeshExtensions().at(settings.parts_format);
   if (!folder.empty())
     writeParts(folder, parts, description, outputs);
   for (const SceneOutput& scene : scenes) {

@@ -22,7 +22,7 @@ namespace pcl_cid::tools {
 /** \brief Which scenes to write; what is not asked for is empty. */
 struct SceneSettings {
   std::string parts_dir;
-  std::size_t parts_format = 0; ///< as in PartFormat
+  std::size_t parts_format = 0; ///< as in partMeshExtensions()
   std::string urdf;
   std::string sdf;
   std::string mjcf;

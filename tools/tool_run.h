@@ -13,7 +13,8 @@
 #include "raw_scan_options.h"
 
 #include <pcl_cid/cid_parameters.h>
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/report.h>
 
 #include <chrono>

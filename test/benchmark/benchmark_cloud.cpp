@@ -13,7 +13,7 @@
 #include "even_sampler.h"
 #include "room_scene.h"
 
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <stdexcept>
 

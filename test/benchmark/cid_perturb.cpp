@@ -11,6 +11,7 @@
 #include "perturbation.h"
 #include "tool_run.h"
 
+#include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/scan_source.h>
 
@@ -78,7 +79,7 @@ perturb(const PerturbSettings& settings)
   LabelledCloud cloud = readScan(settings.input, options);
   cloud.fields = test::perturbed(cloud.fields, settings.perturbation);
   outputs.write(settings.output, [&](std::ostream& stream) {
-    writeCloud(stream, cloud, formatFor(settings.output, cloud.format));
+    writeCloud(stream, cloud, layoutFor(settings.output, cloud.layout));
   });
   outputs.commit();
 }

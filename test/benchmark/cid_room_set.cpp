@@ -13,6 +13,7 @@
 #include "scan_positions.h"
 #include "tool_run.h"
 
+#include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/output_files.h>
 
 #include <algorithm>
@@ -118,7 +119,7 @@ writeRooms(const RoomSetSettings& settings)
     LabelledCloud cloud;
     cloud.fields = cloudOf(scan);
     outputs.write(cloud_file, [&](std::ostream& stream) {
-      writeCloud(stream, cloud, cloud.format);
+      writeCloud(stream, cloud, cloud.layout);
     });
     outputs.write(truth_file, [&](std::ostream& stream) {
       stream << nlohmann::ordered_json{{"sensor_positions", positionsOf(scan)}}.dump(2)

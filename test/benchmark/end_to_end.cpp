@@ -11,7 +11,7 @@
 #include "child_process.h"
 #include "measured_work.h"
 
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <cstdlib>
 #include <exception>

@@ -16,7 +16,7 @@
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/prepared_scan.h>
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <benchmark/benchmark.h>
 

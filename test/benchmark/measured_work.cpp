@@ -19,7 +19,7 @@
 #include <pcl_cid/cid_sampler.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/prepared_scan.h>
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <algorithm>
 #include <chrono>

@@ -87,13 +87,13 @@ TEST_F(AssimpTest, FindsAMeshForEachPartOfAnOBJ)
       const aiMesh& mesh = *scene.mMeshes[i];
       EXPECT_EQ(mesh.mName.C_Str(), partName(i));
       EXPECT_EQ(mesh.mNumFaces, exported.parts()[i].hull.triangles.size());
-      aiColor3D colour;
+      aiColor3D color;
       ASSERT_EQ(
-          scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_COLOR_DIFFUSE, colour),
+          scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_COLOR_DIFFUSE, color),
           aiReturn_SUCCESS);
-      EXPECT_NEAR(colour.r, partColour(i).red / 255.0, 1e-6);
-      EXPECT_NEAR(colour.g, partColour(i).green / 255.0, 1e-6);
-      EXPECT_NEAR(colour.b, partColour(i).blue / 255.0, 1e-6);
+      EXPECT_NEAR(color.r, partColor(i).red / 255.0, 1e-6);
+      EXPECT_NEAR(color.g, partColor(i).green / 255.0, 1e-6);
+      EXPECT_NEAR(color.b, partColor(i).blue / 255.0, 1e-6);
     }
   });
 }

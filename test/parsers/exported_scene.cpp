@@ -16,14 +16,14 @@
 
 namespace pcl_cid::test {
 
-ExportedScene::ExportedScene(const PartScene& scene, PartFormat format)
+ExportedScene::ExportedScene(const PartScene& scene, const std::string& format)
 : content_(scene)
 {
   description_.name = "Room \"A\" <1> & more";
   description_.frame = "survey";
   description_.origin = sceneOrigin(scene.parts);
   description_.mesh_folder = "Teile \xC3\xBC & mehr";
-  description_.mesh_format = format;
+  description_.mesh_extension = format;
   std::filesystem::create_directories(inFolder(description_.mesh_folder));
   writeMeshes();
   writeScenes();
@@ -33,7 +33,7 @@ std::string
 ExportedScene::name() const
 {
   return content_.name +
-         (description_.mesh_format == PartFormat::obj ? " as obj" : " as stl");
+         (description_.mesh_extension == ".obj" ? " as obj" : " as stl");
 }
 
 void

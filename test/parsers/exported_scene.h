@@ -28,7 +28,7 @@ namespace pcl_cid::test {
  *  letter that is not ASCII; so has the folder of the parts in it. */
 class ExportedScene {
 public:
-  ExportedScene(const PartScene& scene, PartFormat format);
+  ExportedScene(const PartScene& scene, const std::string& format);
 
   /** \brief For messages. */
   std::string
@@ -72,7 +72,7 @@ public:
   mesh(std::size_t part) const
   {
     return inFolder(description_.mesh_folder + "/" +
-                    partFileName(part, description_.mesh_format));
+                    partFileName(part, description_.mesh_extension));
   }
 
 private:
@@ -104,7 +104,7 @@ void
 forEachExportedScene(const Check& check)
 {
   for (const PartScene& scene : scenesToExport())
-    for (const PartFormat format : {PartFormat::obj, PartFormat::stl}) {
+    for (const std::string format : {".obj", ".stl"}) {
       const ExportedScene exported(scene, format);
       SCOPED_TRACE(exported.name());
       check(exported);

@@ -23,7 +23,7 @@ planning::Shape
 shapeAbout(const Eigen::Vector3d& origin, const ConvexPart& part)
 {
   std::vector<ConvexPart> moved{part};
-  translate(-origin, moved);
+  moveToFile(Frame{-origin}, moved);
   return planning::shapeOf(moved[0].hull);
 }
 

@@ -27,7 +27,7 @@ struct SceneObject {
   std::string name;
   Eigen::Isometry3d pose;
   std::unique_ptr<shapes::Shape> shape;
-  Eigen::Vector4d colour;
+  Eigen::Vector4d color;
 };
 
 Eigen::Isometry3d
@@ -55,7 +55,7 @@ readScene(const std::string& path, std::string& name)
     EXPECT_EQ(shapes, 1u);
     object.shape.reset(shapes::constructShapeFromText(in));
     object.pose = object_pose * readPose(in);
-    Eigen::Vector4d& c = object.colour;
+    Eigen::Vector4d& c = object.color;
     in >> c[0] >> c[1] >> c[2] >> c[3];
     std::size_t subframes = 1;
     in >> subframes;
@@ -81,8 +81,8 @@ TEST(GeometricShapes, FindsAnObjectForEachPart)
     for (std::size_t i = 0; i < objects.size(); ++i) {
       const TriangleMesh& hull = exported.parts()[i].hull;
       EXPECT_EQ(objects[i].name, partName(i));
-      EXPECT_NEAR(objects[i].colour[0], partColour(i).red / 255.0, 1e-6);
-      EXPECT_EQ(objects[i].colour[3], 1.0);
+      EXPECT_NEAR(objects[i].color[0], partColor(i).red / 255.0, 1e-6);
+      EXPECT_EQ(objects[i].color[3], 1.0);
       ASSERT_TRUE(objects[i].shape);
       ASSERT_EQ(objects[i].shape->type, shapes::MESH);
       const auto& mesh = static_cast<const shapes::Mesh&>(*objects[i].shape);

@@ -126,7 +126,7 @@ TEST(MuJoCo, LetsABallRestOnATableTop)
   constexpr double drop = 0.3;
   for (const Eigen::Vector3d& offset :
        {Eigen::Vector3d(Eigen::Vector3d::Zero()), utmOffset()})
-    for (const PartFormat format : {PartFormat::obj, PartFormat::stl}) {
+    for (const std::string format : {".obj", ".stl"}) {
       const ExportedScene exported(thinParts(offset), format);
       SCOPED_TRACE(exported.name());
       const Eigen::AlignedBox3d top = boxOf(exported.parts()[table].hull);
@@ -159,7 +159,7 @@ TEST(MuJoCo, LetsABallRestOnATableTop)
 TEST(MuJoCo, LetsABallFallPastTheTableTop)
 {
   constexpr std::size_t table = 1;
-  const ExportedScene exported(thinParts(Eigen::Vector3d::Zero()), PartFormat::obj);
+  const ExportedScene exported(thinParts(Eigen::Vector3d::Zero()), ".obj");
   const Eigen::AlignedBox3d top = boxOf(exported.parts()[table].hull);
   const Eigen::Vector3d start(
       top.center().x(), top.max().y() + 2.0 * ball_radius, top.max().z() + 0.3);

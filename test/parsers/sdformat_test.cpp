@@ -56,7 +56,7 @@ TEST(SDFormat, FindsACollisionAndAVisualForEachPart)
       const sdf::Visual& visual = *link.VisualByIndex(i);
       expectMesh(*visual.Geom(), visual.RawPose(), i, exported);
       ASSERT_NE(visual.Material(), nullptr);
-      EXPECT_NEAR(visual.Material()->Diffuse().B(), partColour(i).blue / 255.0, 1e-6);
+      EXPECT_NEAR(visual.Material()->Diffuse().B(), partColor(i).blue / 255.0, 1e-6);
     }
   });
 }

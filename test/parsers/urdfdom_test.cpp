@@ -74,7 +74,7 @@ TEST(Urdfdom, FindsACollisionAndAVisualForEachPart)
       const urdf::Visual& visual = *link.visual_array[i];
       expectMesh(*visual.geometry, visual.origin, i, exported);
       ASSERT_TRUE(visual.material);
-      EXPECT_NEAR(visual.material->color.g, partColour(i).green / 255.0, 1e-6);
+      EXPECT_NEAR(visual.material->color.g, partColor(i).green / 255.0, 1e-6);
       EXPECT_EQ(visual.material->color.a, 1.0f);
     }
   });

@@ -127,6 +127,18 @@ loadWithPCL(const std::string& path)
 }
 
 LabelledCloud
+threePoints()
+{
+  LabelledCloud cloud;
+  cloud.name = "three.pcd";
+  appendField<float>(
+      "x", {0, 1, std::numeric_limits<float>::quiet_NaN()}, cloud.fields);
+  appendField<float>("y", {0, 0, 0}, cloud.fields);
+  appendField<float>("z", {1, 1, 1}, cloud.fields);
+  return cloud;
+}
+
+LabelledCloud
 deskScan()
 {
   std::vector<float> x, y, z, rgb;
@@ -136,9 +148,9 @@ deskScan()
       x.push_back(p.x());
       y.push_back(p.y());
       z.push_back(p.z());
-      const auto colour = static_cast<std::uint32_t>(row << 16 | column << 8 | 77);
+      const auto color = static_cast<std::uint32_t>(row << 16 | column << 8 | 77);
       rgb.emplace_back();
-      std::memcpy(&rgb.back(), &colour, sizeof(colour));
+      std::memcpy(&rgb.back(), &color, sizeof(color));
     }
   LabelledCloud scan;
   appendField("x", x, scan.fields);
@@ -164,10 +176,12 @@ deskLabels()
 }
 
 void
-saveCloud(const std::string& path, const LabelledCloud& cloud, CloudFormat format)
+saveCloud(const std::string& path,
+          const LabelledCloud& cloud,
+          const CloudLayout& layout)
 {
   std::ofstream stream(path, std::ios::binary);
-  writeCloud(stream, cloud, format);
+  writeCloud(stream, cloud, layout);
   stream.close();
   if (!stream)
     throw std::runtime_error("cannot write " + path);

@@ -9,7 +9,8 @@
 
 #pragma once
 
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -108,18 +109,32 @@ struct LoadedByPCL {
 LoadedByPCL
 loadWithPCL(const std::string& path);
 
-/** \brief A small organised scan of a desk in front of a wall, 40 x 30 points of which
+/** \brief A cloud named three.pcd, without labels and colors; its last point is
+ *  invalid. */
+LabelledCloud
+threePoints();
+
+/** \brief A small organized scan of a desk in front of a wall, 40 x 30 points of which
  *  some are invalid; fields x y z rgb, and a pose that is not the identity. */
 LabelledCloud
 deskScan();
 
 /** \brief Which surface each point of the desk scan lies on: 1 wall, 2 desk, 3 box; 0
- * for invalid points. */
+ *  for invalid points. */
 std::vector<std::uint32_t>
 deskLabels();
 
-/** \brief Write a cloud in a format. */
+/** The layouts of the formats that are built in. */
+inline const CloudLayout pcd_ascii{"PCD", CloudEncoding::ascii};
+inline const CloudLayout pcd_binary{"PCD", CloudEncoding::binary};
+inline const CloudLayout pcd_compressed{"PCD", CloudEncoding::compressed};
+inline const CloudLayout ply_ascii{"PLY", CloudEncoding::ascii};
+inline const CloudLayout ply_binary{"PLY", CloudEncoding::binary};
+
+/** \brief Write a cloud in a layout. */
 void
-saveCloud(const std::string& path, const LabelledCloud& cloud, CloudFormat format);
+saveCloud(const std::string& path,
+          const LabelledCloud& cloud,
+          const CloudLayout& layout);
 
 } // namespace pcl_cid::test

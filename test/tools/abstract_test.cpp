@@ -281,7 +281,7 @@ TEST_F(AbstractTool, PutsHullsWhereTheScanIs)
   appendField("x", coordinates[0], scan.fields);
   appendField("y", coordinates[1], scan.fields);
   appendField("z", coordinates[2], scan.fields);
-  saveCloud(file("utm.pcd"), scan, CloudFormat::pcd_binary);
+  saveCloud(file("utm.pcd"), scan, pcd_binary);
   abstract({file("utm.pcd"), file("hulls.ply"), "--parts", "5"});
   pcl::PolygonMesh mesh;
   ASSERT_GE(pcl::io::loadPLYFile(file("hulls.ply"), mesh), 0);

@@ -78,12 +78,11 @@ TEST_F(BadInput, ThatIsMissingOrEmptyIsRefused)
 
 TEST_F(BadInput, ThatIsTruncatedIsRefused)
 {
-  for (const auto& [name, format] :
-       {std::pair("a.pcd", CloudFormat::pcd_ascii),
-        std::pair("b.pcd", CloudFormat::pcd_binary),
-        std::pair("c.pcd", CloudFormat::pcd_binary_compressed),
-        std::pair("d.ply", CloudFormat::ply_ascii),
-        std::pair("e.ply", CloudFormat::ply_binary)}) {
+  for (const auto& [name, format] : {std::pair("a.pcd", pcd_ascii),
+                                     std::pair("b.pcd", pcd_binary),
+                                     std::pair("c.pcd", pcd_compressed),
+                                     std::pair("d.ply", ply_ascii),
+                                     std::pair("e.ply", ply_binary)}) {
     saveCloud(file(name), deskScan(), format);
     const std::string whole = readText(file(name));
     for (const std::size_t size :

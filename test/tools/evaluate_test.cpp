@@ -159,7 +159,7 @@ TEST_F(EvaluateTool, ScoresWhatTheSegmentToolWrites)
 {
   LabelledCloud truth = deskScan();
   setLabels(deskLabels(), LabelType::U4, truth);
-  saveCloud(file("truth.ply"), truth, CloudFormat::ply_binary);
+  saveCloud(file("truth.ply"), truth, ply_binary);
   segment({file("truth.ply"), file("labelled.pcd"), "--labels-from", "label"});
   const nlohmann::json report = reportOf({file("labelled.pcd"), file("truth.ply")});
   EXPECT_EQ(report["classes_from"], "none");

@@ -127,9 +127,9 @@ protected:
 
   /** The same for a folder with a mesh for each part. */
   std::string
-  complaintAboutFolder(const std::vector<ConvexPart>& parts, PartFormat format)
+  complaintAboutFolder(const std::vector<ConvexPart>& parts, const std::string& format)
   {
-    description_.mesh_format = format;
+    description_.mesh_extension = format;
     OutputFiles outputs({});
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string path = file(partFileName(i, format));
@@ -185,7 +185,7 @@ TEST_F(HullVerification, PassesFilesAsTheyWereWritten)
 {
   for (const char* const name : {"hulls.obj", "hulls.ply", "hulls.stl"})
     EXPECT_EQ(complaintAbout(tamperedWith(leaveAsItIs), name), "");
-  for (const PartFormat format : {PartFormat::obj, PartFormat::stl})
+  for (const std::string format : {".obj", ".stl"})
     EXPECT_EQ(complaintAboutFolder(tamperedWith(leaveAsItIs), format), "");
 }
 
@@ -199,7 +199,7 @@ TEST_F(HullVerification, NamesFilePartAndGuarantee)
 TEST_F(HullVerification, NamesTheFileOfThePart)
 {
   for (const auto& [change, guarantee] : tamperings)
-    for (const PartFormat format : {PartFormat::obj, PartFormat::stl})
+    for (const std::string format : {".obj", ".stl"})
       expectBroken(complaintAboutFolder(tamperedWith(change), format),
                    partFileName(1, format),
                    guarantee);

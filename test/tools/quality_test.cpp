@@ -86,7 +86,7 @@ private:
     const std::string name = "/room_" + std::to_string(room) + ".pcd";
     LabelledCloud cloud;
     cloud.fields = cloudOf(scan);
-    saveCloud(file("truth") + name, cloud, CloudFormat::pcd_binary);
+    saveCloud(file("truth") + name, cloud, pcd_binary);
     const std::size_t start = points_of_room / 2;
     const ToolRun segmented = run("pcl_cid_segment",
                                   {file("truth") + name,
@@ -99,7 +99,7 @@ private:
                                    std::to_string(start)});
     ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
     setLabels(labelsByDistance(scan, start), LabelType::U4, cloud);
-    saveCloud(file("distance") + name, cloud, CloudFormat::pcd_binary);
+    saveCloud(file("distance") + name, cloud, pcd_binary);
   }
 };
 

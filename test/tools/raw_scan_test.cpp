@@ -129,7 +129,7 @@ TEST_F(RawScanOptions, FillTheBlindSpotUnderTheViewpointOfAFile)
   for (std::size_t axis = 0; axis < 3; ++axis)
     appendField<double>(std::string(1, "xyz"[axis]), columns[axis], scan.fields);
   scan.sensor_origin.head<3>() = utm.cast<float>();
-  saveCloud(scan_, scan, CloudFormat::pcd_binary);
+  saveCloud(scan_, scan, pcd_binary);
   const nlohmann::json filled = reportOf({});
   EXPECT_EQ(filled["parameters"]["blind_spot"], "auto");
   const nlohmann::json& spot = filled["blind_spot"];
@@ -153,9 +153,9 @@ TEST_F(RawScanOptions, NeedColors)
   appendField<float>("x", {0, 1, 2}, scan.fields);
   appendField<float>("y", {0, 1, 0}, scan.fields);
   appendField<float>("z", {0, 0, 1}, scan.fields);
-  saveCloud(scan_, scan, CloudFormat::pcd_binary);
+  saveCloud(scan_, scan, pcd_binary);
   for (const char* const tool : {"pcl_cid_segment", "pcl_cid_abstract"})
-    expectRefused(tool, {"--color", "0.001"}, 1, scan_ + ": has no colours");
+    expectRefused(tool, {"--color", "0.001"}, 1, scan_ + ": has no colors");
 }
 
 TEST_F(RawScanOptions, AreRefusedOutOfTheirRange)

@@ -206,7 +206,7 @@ TEST_F(SceneOutputs, TakeHugeCoordinatesOutOfTheMeshes)
                             utm[axis]);
     appendField(std::string(1, "xyz"[axis]), coordinates, scan.fields);
   }
-  saveCloud(file("scan.pcd"), scan, CloudFormat::pcd_binary);
+  saveCloud(file("scan.pcd"), scan, pcd_binary);
   std::vector<std::string> arguments = allOutputs("5");
   arguments.insert(arguments.end(), {"--parts-format", "stl"});
   const ToolRun done = run("pcl_cid_abstract", arguments);
@@ -221,8 +221,7 @@ TEST_F(SceneOutputs, TakeHugeCoordinatesOutOfTheMeshes)
             text);
   const std::vector<TriangleMesh> hulls = readOBJ(file("hulls.obj"));
   for (std::size_t i = 0; i < hulls.size(); ++i) {
-    const TriangleMesh part =
-        readSTL(file("hulls_parts/" + partFileName(i, PartFormat::stl)));
+    const TriangleMesh part = readSTL(file("hulls_parts/" + partFileName(i, ".stl")));
     ASSERT_EQ(part.triangles.size(), hulls[i].triangles.size());
     for (std::size_t t = 0; t < part.triangles.size(); ++t)
       EXPECT_LT((part.vertices[part.triangles[t][0]] + origin -

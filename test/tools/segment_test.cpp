@@ -190,7 +190,7 @@ TYPED_TEST(LabelledInput, PlaysTheAnnotatorWhateverItsType)
   appendField("label", field, scan.fields);
   scan.fields.width = 40;
   const std::string input = this->file("labelled.pcd");
-  saveCloud(input, scan, CloudFormat::pcd_binary);
+  saveCloud(input, scan, pcd_binary);
   const ToolRun done = this->segment({input,
                                       this->file("out.pcd"),
                                       "--labels-from",
@@ -276,15 +276,15 @@ TEST_F(SegmentTool, ReadsAndWritesEveryFormat)
 {
   segment({scan_, file("out.pcd")});
   const Labels labels = labelsIn(file("out.pcd"));
-  for (const auto& [name, format] : {std::pair("a.pcd", CloudFormat::pcd_ascii),
-                                     std::pair("b.pcd", CloudFormat::pcd_binary),
-                                     std::pair("c.ply", CloudFormat::ply_ascii),
-                                     std::pair("d.ply", CloudFormat::ply_binary)}) {
+  for (const auto& [name, format] : {std::pair("a.pcd", pcd_ascii),
+                                     std::pair("b.pcd", pcd_binary),
+                                     std::pair("c.ply", ply_ascii),
+                                     std::pair("d.ply", ply_binary)}) {
     saveCloud(file(name), deskScan(), format);
     for (const char* const output : {"out.ply", "out.pcd"}) {
       segment({file(name), file(output)});
       const LabelledCloud result = readCloud(file(output));
-      EXPECT_EQ(result.format, formatFor(output, format));
+      EXPECT_EQ(result.layout, layoutFor(output, format));
       EXPECT_EQ(valuesOf<std::uint32_t>(result.fields, "label"), labels) << name;
       EXPECT_EQ(bytesOf(result.fields, "rgb"), bytesOf(deskScan().fields, "rgb"));
       EXPECT_EQ(result.fields.width, 40u);
@@ -318,10 +318,10 @@ TEST_F(SegmentTool, GivesTheSameLabelsInOtherUnitsAndFrames)
 {
   const Eigen::Vector3d zero(0, 0, 0);
   const Eigen::Vector3d utm(524288, 4194304, 0);
-  saveCloud(file("m.pcd"), movedScan<float>(1, zero), CloudFormat::pcd_binary);
-  saveCloud(file("mm.pcd"), movedScan<float>(1024, zero), CloudFormat::pcd_binary);
-  saveCloud(file("utm.pcd"), movedScan<double>(1, utm), CloudFormat::pcd_binary);
-  saveCloud(file("utm.ply"), movedScan<double>(1, utm), CloudFormat::ply_ascii);
+  saveCloud(file("m.pcd"), movedScan<float>(1, zero), pcd_binary);
+  saveCloud(file("mm.pcd"), movedScan<float>(1024, zero), pcd_binary);
+  saveCloud(file("utm.pcd"), movedScan<double>(1, utm), pcd_binary);
+  saveCloud(file("utm.ply"), movedScan<double>(1, utm), ply_ascii);
   segment({file("m.pcd"), file("out.pcd"), "--propose", file("m.csv")});
   const Labels labels = labelsIn(file("out.pcd"));
   for (const char* const moved : {"mm.pcd", "utm.pcd", "utm.ply"}) {

@@ -106,7 +106,7 @@ ToolProcess::wait()
 
 ToolTest::ToolTest()
 {
-  saveCloud(scan_, deskScan(), CloudFormat::pcd_binary_compressed);
+  saveCloud(scan_, deskScan(), pcd_compressed);
 }
 
 ToolRun

@@ -35,7 +35,7 @@ PCL_CID_IO_EXPORT const SemanticClasses&
 s3disClasses();
 
 /** \brief The classes of NYUv2 that ScanNet maps its own to (`nyu40id`), 1 (wall) to 40
- *  (otherprop). Names are spelt as ScanNet's benchmark does. */
+ *  (otherprop). Names are spelled as in ScanNet's benchmark. */
 PCL_CID_IO_EXPORT const SemanticClasses&
 nyu40Classes();
 

@@ -17,13 +17,13 @@
 
 namespace pcl_cid {
 
-/** \brief Give the cloud a field of type float, in the place of one that it has of this
- *  name, else after all other fields.
- *  \param[in] values one for each point, finite or not
+/** \brief Give the cloud a field of type float: in the place of the one of this name,
+ *  or after all other fields when there is none.
+ *  \param[in] values one for each point; they need not be finite
  *  \param[in] name of the field; not x, y or z
  *  \param[in,out] cloud unchanged when an exception is thrown
- *  \throws CIDException when there is not one for each point, or the field would take
- *  the place of a coordinate */
+ *  \throws CIDException when there is not one value for each point, or the name is x, y
+ *  or z */
 PCL_CID_IO_EXPORT void
 setFloats(const std::vector<float>& values,
           const std::string& name,

@@ -4,40 +4,47 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Convex parts as mesh files: OBJ, PLY, STL.
+ * Convex parts as mesh files: the writers, one by one. mesh_formats.h has them in a
+ * table.
  */
 
 #pragma once
 
 #include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/frame.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
-#include <pcl/PolygonMesh.h>
-
 namespace pcl_cid {
 
-/** \brief Colour of a part: that of its number in pcl::GlasbeyLUT, whose 256 colours
- *  are as different as can be; they repeat after that. */
-struct PartColour {
+/** \brief Color of a part, 0 to 255 each. */
+struct PartColor {
   std::uint8_t red;
   std::uint8_t green;
   std::uint8_t blue;
 };
 
-PCL_CID_IO_EXPORT PartColour
-partColour(std::size_t part);
+/** \brief The color of a part: that of its number in pcl::GlasbeyLUT, whose 256 colors
+ *  are as different as can be; they repeat after that.
+ *  \param[in] part its number, from 0 */
+PCL_CID_IO_EXPORT PartColor
+partColor(std::size_t part);
 
-/** \brief "part_000", "part_001", ... */
+/** \brief "part_000", "part_001", ...
+ *  \param[in] part its number, from 0 */
 PCL_CID_IO_EXPORT std::string
 partName(std::size_t part);
 
 /** \brief A Wavefront OBJ: an object `o part_NNN` for each hull, coordinates with all
- *  the digits of double. A test of the stream's state afterwards says whether it
- *  worked; the same for all writers here.
+ *  the digits of double.
+ *
+ *  Like all writers here it throws nothing: look at the state of the stream afterwards,
+ *  or write through OutputFiles.
  *  \param[in] material_library name of the file that writeMTL() writes, as seen from
  *  the OBJ */
 PCL_CID_IO_EXPORT void
@@ -45,7 +52,7 @@ writeOBJ(std::ostream& stream,
          const std::vector<ConvexPart>& parts,
          const std::string& material_library);
 
-/** \brief A Wavefront OBJ of one mesh: an object of this name, without colour. */
+/** \brief A Wavefront OBJ of one mesh: an object of this name, without color. */
 PCL_CID_IO_EXPORT void
 writeOBJMesh(std::ostream& stream, const TriangleMesh& mesh, const std::string& name);
 
@@ -53,7 +60,7 @@ writeOBJMesh(std::ostream& stream, const TriangleMesh& mesh, const std::string& 
 PCL_CID_IO_EXPORT void
 writeMTL(std::ostream& stream, const std::vector<ConvexPart>& parts);
 
-/** \brief A binary PLY: one mesh, coordinates as double, for each face its colour and
+/** \brief A binary PLY: one mesh, coordinates as double, for each face its color and
  *  the number of its part (`red`, `green`, `blue`, `part`). */
 PCL_CID_IO_EXPORT void
 writePLY(std::ostream& stream, const std::vector<ConvexPart>& parts);
@@ -67,13 +74,9 @@ writeSTL(std::ostream& stream, const std::vector<ConvexPart>& parts);
 PCL_CID_IO_EXPORT void
 writeSTLMesh(std::ostream& stream, const TriangleMesh& mesh);
 
-/** \brief A mesh as PCL knows it, for its viewer and its own writers; float. */
-PCL_CID_IO_EXPORT pcl::PolygonMesh
-toPolygonMesh(const TriangleMesh& mesh);
-
-/** \brief Move hulls: back to the frame of a file whose coordinates had an offset taken
- *  out (see CloudPoints). */
+/** \brief Move hulls from a local frame to that of the file: from that of CloudPoints,
+ *  in which they were made, to that in which they are written. */
 PCL_CID_IO_EXPORT void
-translate(const Eigen::Vector3d& offset, std::vector<ConvexPart>& parts);
+moveToFile(const Frame& frame, std::vector<ConvexPart>& parts);
 
 } // namespace pcl_cid

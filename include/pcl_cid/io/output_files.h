@@ -36,7 +36,7 @@ public:
   /** \param[in] inputs files that must never be written over */
   explicit OutputFiles(std::vector<std::string> inputs);
 
-  /** \brief Removes what was not committed. */
+  /** \brief Remove what was not committed. */
   ~OutputFiles();
 
   OutputFiles(const OutputFiles&) = delete;
@@ -50,32 +50,34 @@ public:
   void
   announce(const std::string& path);
 
-  /** \brief The same for a folder that outputs will be announced in: it is made when it
-   *  is missing, and removed again when nothing is committed.
+  /** \brief The same for a folder in which outputs will be announced: it is made when
+   *  it is missing, and removed again when nothing is committed.
    *  \throws CIDException when it cannot be made or written to, or is not a folder */
   void
   announceFolder(const std::string& path);
 
-  /** \brief Let commit() remove a file of an earlier run that has no place beside the
-   *  outputs of this one; an output of that name is kept.
+  /** \brief Let commit() remove a file that an earlier run left behind. An output of
+   *  this run that has the same name is kept.
    *  \throws CIDException when it is an input */
   void
   announceRemoval(const std::string& path);
 
   /** \brief Write an output that was announced.
-   *  \param[in] writer its exceptions pass through
-   *  \throws CIDException when not all of it could be written */
+   *  \param[in] path as announced
+   *  \param[in] writer writes to a stream in binary mode; its exceptions pass through
+   *  \throws CIDException when the output was not announced, or could not be written in
+   *  full */
   void
   write(const std::string& path, const std::function<void(std::ostream&)>& writer);
 
-  /** \brief Where an output that was written is until commit(), for whoever wants to
-   *  read it again. */
+  /** \brief Where an output is until commit(), to read again what was written.
+   *  \throws CIDException when it was not announced */
   std::string
   pathBeforeCommit(const std::string& path);
 
-  /** \brief Let all outputs appear, then remove what was announced for it.
-   *  \throws CIDException when one cannot; then none stays, and every older file is
-   *  back in its place (or the message says where it is) */
+  /** \brief Put all outputs in place, then remove what was announced for removal.
+   *  \throws CIDException when one of these fails; then no output stays, and every
+   *  older file is back in its place (or the message says where it is) */
   void
   commit();
 
@@ -87,7 +89,7 @@ private:
   };
 
   struct Removal {
-    std::string path;   ///< itself, should it be a link
+    std::string path;   ///< the file itself, even where that is a link
     std::string target; ///< the file that it names, links resolved
   };
 

@@ -9,23 +9,29 @@
 
 #pragma once
 
-#include <pcl_cid/core/convex_part.h>
-#include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/hull_tightness.h>
 #include <pcl_cid/core/prepared_scan.h>
-#include <pcl_cid/core/grouping.h>
-#include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include <pcl/types.h>
+
+#include <Eigen/Core>
+
 namespace pcl_cid {
 
-/** \brief How well labels fit those that a cloud came with. */
+struct CloudPoints;
+struct ConvexPart;
+class MergeTree;
+struct SeedProposal;
+
+/** \brief How many labels are those that a cloud came with. */
 struct LabelScore {
   /** Field of the cloud that holds the true labels. */
   std::string field;
@@ -54,7 +60,11 @@ struct LabelScore {
   }
 };
 
-/** \brief Compare labels with the true ones over the finite points. */
+/** \brief Compare labels with the true ones over the finite points.
+ *  \param[in] field of the cloud that the true labels come from
+ *  \param[in] labels one for each point
+ *  \param[in] truth one for each point
+ *  \param[in] points tell which are finite */
 PCL_CID_IO_EXPORT LabelScore
 scoreLabels(const std::string& field,
             const std::vector<std::uint32_t>& labels,
@@ -69,6 +79,7 @@ struct Report {
     std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string>
         value;
   };
+  /** A step of the run, and how long it took. */
   struct Step {
     std::string name;
     double seconds;
@@ -85,9 +96,10 @@ struct Report {
   std::size_t points_grouped = 0;
   /** What was found out about the density. */
   std::optional<DensityDecision> density;
-  /** The blind spot that was filled, its centre in the frame of the file. */
+  /** The blind spot that was filled, its center in the frame of the file. */
   std::optional<FilledBlindSpot> blind_spot;
-  /** Indices of the seeds in the input, and r_k for each (see SeedProposal). */
+  /** Indices of the seeds in the input, and r_k for each in meters (see
+   *  SeedProposal). */
   pcl::Indices seeds;
   std::vector<float> coverage;
   /** Coordinates of the seeds in the frame of the file. */
@@ -97,16 +109,20 @@ struct Report {
   /** Points of each group. */
   std::vector<std::size_t> group_sizes;
   std::optional<LabelScore> score;
-  /** Parts; not copied, may be null. */
+  /** The parts. They are not copied and must live until toJson(); null when there are
+   *  none. */
   const std::vector<ConvexPart>* parts = nullptr;
   /** Points of parts that were dropped for being small: no hull covers them. */
   std::size_t dropped_points = 0;
-  /** How tightly their hulls fit; it was measured when there is a value. */
+  /** How tightly their hulls fit; empty when it was not measured. */
   std::optional<Tightness> tightness;
   std::vector<Step> steps;
 };
 
-/** \brief Take over what a proposal says: seeds, coverage, groups. */
+/** \brief Fill in what a proposal says: points, seeds, coverage, groups.
+ *  \param[in] proposal for all points of the cloud
+ *  \param[in] points coordinates of the cloud
+ *  \param[in,out] report what it said about these before is replaced */
 PCL_CID_IO_EXPORT void
 describeProposal(const SeedProposal& proposal,
                  const CloudPoints& points,
@@ -118,7 +134,7 @@ PCL_CID_IO_EXPORT std::string
 toJson(const Report& report);
 
 /** \brief A merge tree as JSON: `group_sizes`, and `steps` with `first`, `second`,
- *  `height` (metres) and `size` (points). */
+ *  `height` (meters) and `size` (points). */
 PCL_CID_IO_EXPORT std::string
 toJson(const MergeTree& tree);
 

@@ -22,24 +22,26 @@ PCL_CID_IO_EXPORT bool
 isS3DISRoom(const std::string& path);
 
 /** \brief The files that readS3DISRoom() reads: the annotations in their order, then
- *  the file of the room when there is one. */
+ *  the file of the room when there is one.
+ *  \throws CIDException when the folder cannot be read */
 PCL_CID_IO_EXPORT std::vector<std::string>
 s3disRoomFiles(const std::string& folder);
 
-/** \brief Read a room: `Annotations/<class>_<k>.txt`, an instance a file, a line
- *  `x y z red green blue` a point.
+/** \brief Read a room: `Annotations/<class>_<k>.txt`, a file for each instance, a line
+ *  `x y z red green blue` for each point.
  *
  *  The points are those of the annotations, one file after the other by name in natural
  *  order (chair_2 before chair_10). Fields of the cloud: x y z rgb, `label` (number of
  *  the file, from 1) and `semantic` (s3disClasses()). A class that S3DIS does not have,
  *  such as its own `stairs`, becomes clutter.
  *
- *  The public files hold some characters that lost one bit (0x20), which makes control
- *  bytes of digits and blanks. Where giving it back makes a point of the line, the line
- *  is repaired; else it is left out.
- *  \param[in] remark is told, one sentence each, what was repaired, left out or passed
- *  over, with file and line, and when the file of the room holds another number of
- *  points; may be empty
+ *  In the public files some characters have lost one bit (0x20), which turned digits
+ *  and blanks into control bytes. Where restoring the bit makes the line a point again,
+ *  the line is repaired; otherwise it is left out.
+ *  \param[in] folder of the room
+ *  \param[in] remark called with one sentence for each line that was repaired or left
+ *  out and each file that was passed over, and when the file of the room holds another
+ *  number of points; may be empty
  *  \throws CIDException with file and line when there is no annotation, one holds no
  *  point, or another line is not six numbers, the last three 0 to 255
  *  \note Cost: below a microsecond a line. */

@@ -22,24 +22,34 @@ struct ScanOptions {
   /** ScanNet's `scannetv2-labels.combined.tsv`; when empty, it is looked for in the
    *  folder of the scan and in those above it. */
   std::string class_table;
-  /** Told what was repaired, left out or assumed, one sentence each with file and line;
-   *  may be empty. */
+  /** Called with one sentence, with file and line, for each thing that was repaired,
+   *  left out or assumed; may be empty. */
   std::function<void(const std::string&)> remark;
 };
 
 /** \brief Whether a path is a folder that readScan() reads: a room of S3DIS or a scan
- * of ScanNet. */
+ *  of ScanNet. */
 PCL_CID_IO_EXPORT bool
 isScanFolder(const std::string& path);
 
-/** \brief Read a PCD or PLY file (readCloud()), a room of S3DIS (readS3DISRoom()) or a
- *  scan of ScanNet (readScannetScan()).
+/** \brief Whether a path is, by its name, something that readScan() reads: a folder as
+ *  above, or a file with the extension of a cloud format (see cloudFormats()). To find
+ *  the scans in a folder. */
+PCL_CID_IO_EXPORT bool
+isScan(const std::string& path);
+
+/** \brief Names of the datasets whose folders readScan() reads: "S3DIS", "ScanNet". */
+PCL_CID_IO_EXPORT std::vector<std::string>
+datasetNames();
+
+/** \brief Read a file of any cloud format (readCloud()), a room of S3DIS
+ *  (readS3DISRoom()) or a scan of ScanNet (readScannetScan()).
  *  \throws CIDException when it is none of them, cannot be read, or is no scan of
  *  ScanNet although a class table is given */
 PCL_CID_IO_EXPORT LabelledCloud
 readScan(const std::string& path, const ScanOptions& options = {});
 
-/** \brief The files that readScan() reads, as far as they are there: never to be
+/** \brief The files that readScan() reads, as far as they exist: they must never be
  *  written over. */
 PCL_CID_IO_EXPORT std::vector<std::string>
 scanFiles(const std::string& path, const std::string& class_table = "");

@@ -17,7 +17,8 @@
 
 namespace pcl_cid {
 
-/** \brief The files of a scan of ScanNet; those that are not there are empty. */
+/** \brief Paths of the files of a scan of ScanNet; empty for those that do not
+ *  exist. */
 struct PCL_CID_IO_EXPORT ScannetFiles {
   /** `scene0000_00`. */
   std::string id;
@@ -30,13 +31,13 @@ struct PCL_CID_IO_EXPORT ScannetFiles {
   /** `scannetv2-labels.combined.tsv`: the nyu40 class of each label. */
   std::string class_table;
 
-  /** \brief All that are there. */
+  /** \brief All that exist. */
   std::vector<std::string>
   all() const;
 };
 
-/** \brief Whether a path is a scan of ScanNet: a folder with a `<id>_vh_clean_2.ply`.
- */
+/** \brief Whether a path is a scan of ScanNet: a folder with a
+ *  `<id>_vh_clean_2.ply`. */
 PCL_CID_IO_EXPORT bool
 isScannetScan(const std::string& path);
 
@@ -56,9 +57,9 @@ findScannetFiles(const std::string& folder, const std::string& class_table = "")
  *  group have 0 and 0. A segment in two groups belongs to the later one.
  *  \param[in] folder of the scan
  *  \param[in] class_table see findScannetFiles()
- *  \param[in] remark is told, in one sentence, when a scan has no annotation (those of
- *  the hidden test set: it then has no `label` and no `semantic`), when groups share
- *  segments, and when segments of groups have no vertex; may be empty
+ *  \param[in] remark called with one sentence when a scan has no annotation (as in the
+ *  hidden test set; the cloud then has no `label` and no `semantic`), when groups share
+ *  segments or stand twice, and when segments of groups have no vertex; may be empty
  *  \throws CIDException with the file when one of the annotation's files is missing,
  *  one has another shape than ScanNet's, the number of segment indices is not that of
  *  the vertices, or labels are missing in the table (all are named) */

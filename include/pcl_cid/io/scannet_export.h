@@ -32,15 +32,15 @@ writeSuperpoints(std::ostream& stream,
                  const std::string& scan_id,
                  const pcl::Indices& group);
 
-/** \brief What was predicted when an annotator, who knows the truth, labelled seeds:
- *  an instance for each label but 0, with the class that the true instance of this
- *  label has by the rule of overlapsOf().
+/** \brief The instances that were predicted when an annotator who knows the truth
+ *  labeled the seeds: one for each label but 0. Its class is that of the true instance
+ *  with this label, by the rule of overlapsOf().
  *  \param[in] labels predicted, one for each point
  *  \param[in] true_labels the same numbers, as the annotator saw them
  *  \param[in] true_classes of each point, 0 for none
  *  \return in the order of the labels; a label that the truth does not have gets the
  *  class 0
- *  \throws CIDException when there is not one of each for each point */
+ *  \throws CIDException when the three are not of one size */
 PCL_CID_IO_EXPORT std::vector<PredictedInstance>
 instancesWithTrueClass(const std::vector<std::uint32_t>& labels,
                        const std::vector<std::uint32_t>& true_labels,

@@ -4,7 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Convex parts as a scene for robot software: URDF, SDF, MJCF, MoveIt.
+ * Convex parts as a scene for robot software: URDF, SDF, MJCF, MoveIt. scene_formats.h
+ * has them in a table.
  */
 
 #pragma once
@@ -13,6 +14,7 @@
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -21,49 +23,64 @@
 
 namespace pcl_cid {
 
-/** \brief File format of the meshes that URDF, SDF and MJCF refer to, one a part. */
-enum class PartFormat { obj, stl };
-
-/** \brief What the writers of scenes are told beside the parts. */
+/** \brief What the writers of scenes need to know besides the parts. */
 struct SceneDescription {
-  /** Of the robot (URDF), the model (SDF, MJCF), the scene (MoveIt). */
+  /** Name of the robot (URDF), the model (SDF, MJCF) or the scene (MoveIt). */
   std::string name = "convex_parts";
   /** The frame of the cloud: name of the one link in URDF and SDF. MJCF has the world
    *  body in its place, MoveIt the frame that it plans in. */
   std::string frame = "map";
-  /** What is subtracted from the meshes, and is the pose of each of them in the frame;
-   *  see sceneOrigin(). */
+  /** The origin of the meshes, in the frame of the parts: subtracted from their
+   *  coordinates, and written as the pose of each of them; see sceneOrigin(). */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /** Folder with the meshes, as seen from the scene's file; empty when it is the same.
    *  MoveIt needs none. */
   std::string mesh_folder;
-  PartFormat mesh_format = PartFormat::obj;
+  /** Extension of the meshes, with the dot, which says their format; one of
+   *  partMeshExtensions(). */
+  std::string mesh_extension = ".obj";
 };
 
-/** \brief A local origin for meshes in float, the one place of the rule: zero when no
- *  coordinate of a hull is beyond 1000 m, where float has steps of 0.06 mm; else the
- *  centre of all hulls, rounded to whole metres. */
+/** \brief A local origin for meshes in float; this is the only place of the rule.
+ *
+ *  Zero when no coordinate of a hull is beyond 1000 m, where float has steps of 0.06
+ *  mm; else the center of all hulls, rounded to whole meters.
+ *  \return in the frame of the parts */
 PCL_CID_IO_EXPORT Eigen::Vector3d
 sceneOrigin(const std::vector<ConvexPart>& parts);
 
-/** \brief "part_000.obj", "part_001.obj", ... */
-PCL_CID_IO_EXPORT std::string
-partFileName(std::size_t part, PartFormat format);
+/** \brief The mesh of one part, with the scene's origin subtracted, in double. */
+PCL_CID_IO_EXPORT TriangleMesh
+meshInScene(const ConvexPart& part, const SceneDescription& scene);
 
-/** \brief Whether a file has a name that partFileName() gives, in either format.
+/** \brief "part_000.obj", "part_001.obj", ...
+ *  \param[in] part its number, from 0
+ *  \param[in] extension one of partMeshExtensions()
+ *  \throws CIDException when it is another */
+PCL_CID_IO_EXPORT std::string
+partFileName(std::size_t part, const std::string& extension);
+
+/** \brief Whether a file has a name that partFileName() gives for some part and some
+ *  extension.
  *  \param[in] name without folder */
 PCL_CID_IO_EXPORT bool
 isPartFileName(const std::string& name);
 
-/** \brief The mesh file of one part, the scene's origin subtracted. */
+/** \brief The mesh file of one part: meshInScene() in the format of the scene's
+ *  SceneDescription::mesh_extension.
+ *  \param[in] part its number; less than there are parts
+ *  \throws CIDException when scenes refer to no meshes with this extension */
 PCL_CID_IO_EXPORT void
 writePartMesh(std::ostream& stream,
               const std::vector<ConvexPart>& parts,
               std::size_t part,
               const SceneDescription& scene);
 
-/** \brief A URDF: one link, for each part a `<visual>` with its colour and a
- *  `<collision>`. Streams as in mesh_export.h; the same for all writers here.
+/** \brief A URDF: one link, for each part a `<visual>` with its color and a
+ *  `<collision>`.
+ *
+ *  Look at the state of the stream afterwards to see whether it worked, or write
+ *  through OutputFiles; the same for all writers here.
  *  \throws CIDException when a name cannot be written in XML (control characters) or is
  *  empty */
 PCL_CID_IO_EXPORT void
@@ -78,14 +95,14 @@ PCL_CID_IO_EXPORT void
 requireFrameForSDF(const std::string& frame);
 
 /** \brief An SDF 1.9: a static model of one link, for each part a `<visual>` with its
- *  colour and a `<collision>` with a plain mesh.
+ *  color and a `<collision>` with a plain mesh.
  *  \throws CIDException as writeURDF() and requireFrameForSDF() */
 PCL_CID_IO_EXPORT void
 writeSDF(std::ostream& stream,
          const std::vector<ConvexPart>& parts,
          const SceneDescription& scene);
 
-/** \brief An MJCF: for each part a mesh asset and a geom of its colour in the world
+/** \brief An MJCF: for each part a mesh asset and a geom of its color in the world
  *  body, which nothing moves.
  *  \throws CIDException as writeURDF() */
 PCL_CID_IO_EXPORT void
@@ -94,7 +111,7 @@ writeMJCF(std::ostream& stream,
           const SceneDescription& scene);
 
 /** \brief A scene in MoveIt's text form (`.scene`): for each part a collision object
- *  with a mesh and its colour.
+ *  with a mesh and its color.
  *  \throws CIDException when the scene's name is empty or holds control characters */
 PCL_CID_IO_EXPORT void
 writeMoveItScene(std::ostream& stream,

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/pcl_cid_io_export.h>
 
 #include <cstdint>
 #include <iosfwd>
@@ -19,6 +19,8 @@
 #include <pcl/types.h>
 
 namespace pcl_cid {
+
+struct CloudPoints;
 
 /** \brief Seeds with their labels; see CIDLabelPropagation::setSeeds(). */
 struct SeedTable {
@@ -30,8 +32,9 @@ struct SeedTable {
 
 /** \brief Write a table for an annotator: columns `index,x,y,z,label`, a row for each
  *  seed in order, the labels empty.
- *  \param[in] points coordinates that the seeds are indices of; written with the offset
- *  added, with as many digits as they have */
+ *  \param[in] seeds indices of finite points
+ *  \param[in] points coordinates of the cloud; written in the frame of its file, with
+ *  as many digits as they have */
 PCL_CID_IO_EXPORT void
 writeSeedTable(std::ostream& stream,
                const pcl::Indices& seeds,
@@ -52,7 +55,8 @@ writeSeedTable(std::ostream& stream,
 PCL_CID_IO_EXPORT SeedTable
 readSeedTable(const std::string& path, const CloudPoints& points);
 
-/** \brief Whether a file is a seed table in which at least one label is filled in. */
+/** \brief Whether a file is a seed table in which at least one label is filled in; not
+ *  when it cannot be read, or is something else. */
 PCL_CID_IO_EXPORT bool
 holdsLabels(const std::string& path);
 

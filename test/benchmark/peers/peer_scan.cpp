@@ -10,6 +10,7 @@
 #include "peer_scan.h"
 
 #include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/output_files.h>
 
 #include <algorithm>
@@ -75,7 +76,7 @@ readPeerScan(const std::string& path, const std::vector<Eigen::Vector3f>& viewpo
   scan.truth.semantic.assign(scan.cloud->size(), 1);
   if (hasField(scan.file, "semantic"))
     scan.truth.semantic = select(labelsOf(scan.file, "semantic", points), scan.source);
-  const Eigen::Vector3f offset = points.offset.cast<float>();
+  const Eigen::Vector3f offset = points.frame.origin.cast<float>();
   for (const Eigen::Vector3f& v : viewpoints)
     scan.viewpoints.emplace_back(v - offset);
   if (viewpoints.empty())
@@ -97,7 +98,7 @@ writeLabels(const PeerScan& scan,
   OutputFiles outputs({scan.file.name});
   outputs.announce(path);
   outputs.write(path, [&](std::ostream& stream) {
-    writeCloud(stream, labelled, formatFor(path, labelled.format));
+    writeCloud(stream, labelled, layoutFor(path, labelled.layout));
   });
   outputs.commit();
 }

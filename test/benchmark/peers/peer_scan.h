@@ -12,7 +12,7 @@
 #include "../benchmark_cloud.h"
 
 #include <pcl_cid/core/instance_overlaps.h>
-#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/cloud_points.h>
 
 #include <cstdint>
 #include <string>

@@ -1,0 +1,75 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What a file format of clouds is: one row of the table in cloud_formats.h.
+ */
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace pcl_cid {
+
+struct LabelledCloud;
+
+/** \brief How the values of a cloud are written down. */
+enum class CloudEncoding { ascii, binary, compressed };
+
+/** \brief How a cloud is laid out in a file: in which format, and how that writes its
+ *  values down. */
+struct CloudLayout {
+  /** Name of a CloudFormat. */
+  std::string format = "PCD";
+  /** One of those that the format has. */
+  CloudEncoding encoding = CloudEncoding::compressed;
+};
+
+inline bool
+operator==(const CloudLayout& a, const CloudLayout& b)
+{
+  return a.format == b.format && a.encoding == b.encoding;
+}
+
+inline bool
+operator!=(const CloudLayout& a, const CloudLayout& b)
+{
+  return !(a == b);
+}
+
+/** \brief A file format of clouds. */
+struct CloudFormat {
+  /** What users call it: "PCD". */
+  std::string name;
+  /** How names of its files end: in small letters, with the dot. */
+  std::vector<std::string> extensions;
+  /** The encodings that it can be written in. A cloud from a file of another format is
+   *  written in the last of them, or in ascii where it was ascii and that is one of
+   *  them. */
+  std::vector<CloudEncoding> encodings;
+  /** Whether a file is of this format, by its content; empty for a format without a
+   *  mark of its own, where the file's extension decides.
+   *  \param[in] stream at the beginning of the file; it may be left anywhere */
+  std::function<bool(std::istream& stream)> recognizes;
+  /** Read a file; empty for a format that is only written.
+   *  \param[in] stream at the beginning of the file
+   *  \param[in] size of the file in bytes, at least 1
+   *  \param[in,out] cloud has its name; fields, layout and pose are to be filled in
+   *  \throws CIDException that names the file and says what is wrong with it */
+  std::function<void(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)>
+      read;
+  /** Write a file; empty for a format that is only read.
+   *  \param[in] encoding one of those above
+   *  \throws CIDException for a cloud that the format cannot hold */
+  std::function<void(
+      std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)>
+      write;
+};
+
+} // namespace pcl_cid

@@ -1,0 +1,218 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Clouds from and to files, in every format of one table.
+ */
+
+#include "base/sentence.h"
+#include "fields/field_values.h"
+#include "fields/required_fields.h"
+#include "pcd/pcd_format.h"
+#include "ply/ply_format.h"
+#include "text/format_table.h"
+#include "text/numbers.h"
+
+#include <pcl_cid/io/cloud_formats.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace pcl_cid {
+namespace {
+
+/** A new format is one more row here. */
+FormatTable<CloudFormat>&
+formatTable()
+{
+  static FormatTable<CloudFormat> table{pcdFormat(), plyFormat()};
+  return table;
+}
+
+bool
+hasEncoding(const CloudFormat& format, CloudEncoding encoding)
+{
+  const auto& known = format.encodings;
+  return std::find(known.begin(), known.end(), encoding) != known.end();
+}
+
+/** "a PCD or PLY file is needed". */
+std::string
+neededFile()
+{
+  return "a " + listed(readableCloudNames()) + " file is needed";
+}
+
+/** "is neither a PCD nor a PLY file". */
+std::string
+noneOfAll()
+{
+  std::vector<std::string> names;
+  for (const std::string& name : readableCloudNames())
+    names.push_back("a " + name);
+  return "is neither " + listed(names, "nor") + " file";
+}
+
+/** A file that can be read at all, open.
+ *  \param[out] size in bytes, at least 1 */
+std::ifstream
+openedCloud(const std::string& path, std::uint64_t& size)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw CIDException(path + ": there is no such file");
+  if (fs::is_directory(path, error))
+    throw CIDException(path + ": is a folder; " + neededFile());
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
+  stream.seekg(0, std::ios::end);
+  const std::streamoff end = stream.tellg();
+  stream.seekg(0);
+  if (!stream || end < 0)
+    throw CIDException(path + ": cannot be read like a file; " + neededFile());
+  if (end == 0)
+    throw CIDException(path + ": is empty; " + neededFile());
+  size = static_cast<std::uint64_t>(end);
+  return stream;
+}
+
+void
+rewind(std::ifstream& stream)
+{
+  stream.clear();
+  stream.seekg(0);
+}
+
+/** By the content where a format can tell by that, else by the extension.
+ *  \param[in,out] stream at the beginning of the file afterwards */
+const CloudFormat&
+formatOf(const std::string& path, std::ifstream& stream)
+{
+  const std::string extension = extensionOf(path);
+  const auto isOfThis = [&](const CloudFormat& format) {
+    rewind(stream);
+    return format.read && (format.recognizes ? format.recognizes(stream)
+                                             : hasExtension(format, extension));
+  };
+  const CloudFormat* const format = formatTable().find(isOfThis);
+  rewind(stream);
+  if (!format)
+    throw CIDException(path + ": " + noneOfAll());
+  return *format;
+}
+
+/** Whatever a reader has left undone shows here, not when the cloud is used. */
+void
+requireWhole(const LabelledCloud& cloud)
+{
+  std::size_t bytes = 0;
+  for (const pcl::PCLPointField& field : cloud.fields.fields)
+    bytes += field.count * sizeOf(field.datatype);
+  if (cloud.size() == 0)
+    throw CIDException(cloud.name + ": holds no points; at least 1 is needed");
+  if (bytes != cloud.fields.point_step ||
+      cloud.fields.data.size() != bytes * cloud.size())
+    throw CIDException(sentence(cloud.name,
+                                ": was read as ",
+                                countOf(cloud.size(), "point"),
+                                " of ",
+                                cloud.fields.point_step,
+                                " bytes each, but its fields have ",
+                                bytes,
+                                " bytes, and all data ",
+                                cloud.fields.data.size()));
+  requireDistinctFields(cloud);
+  requireCoordinates(cloud);
+}
+
+} // namespace
+
+LabelledCloud
+readCloud(const std::string& path)
+{
+  std::uint64_t size = 0;
+  std::ifstream stream = openedCloud(path, size);
+  LabelledCloud cloud;
+  cloud.name = path;
+  formatOf(path, stream).read(stream, size, cloud);
+  requireWhole(cloud);
+  return cloud;
+}
+
+CloudLayout
+layoutFor(const std::string& path, const CloudLayout& source)
+{
+  const CloudFormat* const format = findCloudFormat(path);
+  if (!format || !format->write)
+    throw CIDException(path + ": a cloud is written as " +
+                       listed(writableCloudExtensions()));
+  const bool keeps =
+      source.format == format->name || source.encoding == CloudEncoding::ascii;
+  return {format->name,
+          keeps && hasEncoding(*format, source.encoding) ? source.encoding
+                                                         : format->encodings.back()};
+}
+
+void
+writeCloud(std::ostream& stream, const LabelledCloud& cloud, const CloudLayout& layout)
+{
+  const CloudFormat* const format = formatTable().named(layout.format);
+  if (!format || !format->write || !hasEncoding(*format, layout.encoding))
+    throw CIDException(cloud.name + ": cannot be written as " + layout.format +
+                       " in the encoding that is asked for; choose another layout");
+  format->write(stream, cloud, layout.encoding);
+}
+
+std::vector<CloudFormat>
+cloudFormats()
+{
+  return formatTable().all();
+}
+
+const CloudFormat*
+findCloudFormat(const std::string& path)
+{
+  return formatTable().forFile(path);
+}
+
+std::vector<std::string>
+readableCloudNames()
+{
+  std::vector<std::string> names;
+  for (const CloudFormat& format : cloudFormats())
+    if (format.read)
+      names.push_back(format.name);
+  return names;
+}
+
+std::vector<std::string>
+writableCloudExtensions()
+{
+  std::vector<std::string> extensions;
+  for (const CloudFormat& format : cloudFormats())
+    if (format.write)
+      extensions.insert(
+          extensions.end(), format.extensions.begin(), format.extensions.end());
+  return extensions;
+}
+
+void
+registerCloudFormat(CloudFormat format)
+{
+  if (!format.read && !format.write)
+    throw CIDException("the format " + format.name + " must be read or written");
+  if (format.write && format.encodings.empty())
+    throw CIDException("the format " + format.name +
+                       " is written, so it must have an encoding");
+  formatTable().add(std::move(format));
+}
+
+} // namespace pcl_cid

@@ -1,0 +1,149 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * A scan from wherever it comes: a file, or a folder of a dataset.
+ */
+
+#include "text/path_names.h"
+
+#include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/s3dis.h>
+#include <pcl_cid/io/scan_source.h>
+#include <pcl_cid/io/scannet.h>
+
+#include <filesystem>
+
+namespace pcl_cid {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** A dataset whose scans are folders. */
+struct Dataset {
+  const char* name;
+  const char* scan; ///< what one of its scans is, with an article
+  bool (*recognizes)(const std::string& folder);
+  LabelledCloud (*read)(const std::string& folder, const ScanOptions& options);
+  std::vector<std::string> (*files)(const std::string& folder,
+                                    const std::string& class_table);
+  std::string (*scan_name)(const std::string& folder);
+};
+
+/** A new dataset is one more row here. */
+const Dataset datasets[] = {
+    {"S3DIS",
+     "a room of S3DIS (with a folder Annotations)",
+     isS3DISRoom,
+     [](const std::string& folder, const ScanOptions& options) {
+       return readS3DISRoom(folder, options.remark);
+     },
+     [](const std::string& folder, const std::string&) {
+       return s3disRoomFiles(folder);
+     },
+     lastName},
+    {"ScanNet",
+     "a scan of ScanNet (with a file <id>_vh_clean_2.ply)",
+     isScannetScan,
+     [](const std::string& folder, const ScanOptions& options) {
+       return readScannetScan(folder, options.class_table, options.remark);
+     },
+     [](const std::string& folder, const std::string& class_table) {
+       return findScannetFiles(folder, class_table).all();
+     },
+     [](const std::string& folder) { return findScannetFiles(folder).id; }}};
+
+/** Null for what is no scan of a dataset. */
+const Dataset*
+datasetOf(const std::string& path)
+{
+  for (const Dataset& dataset : datasets)
+    if (dataset.recognizes(path))
+      return &dataset;
+  return nullptr;
+}
+
+bool
+isFolder(const std::string& path)
+{
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+/** Only ScanNet has one. */
+void
+requireUseForTable(const std::string& path, const std::string& class_table)
+{
+  if (!class_table.empty() && !isScannetScan(path))
+    throw CIDException(path +
+                       ": is no scan of ScanNet; only that has a use for the "
+                       "class table " +
+                       class_table);
+}
+
+[[noreturn]] void
+refuseFolder(const std::string& path)
+{
+  std::vector<std::string> scans;
+  for (const Dataset& dataset : datasets)
+    scans.push_back(dataset.scan);
+  throw CIDException(path + ": is a folder, but neither " + listed(scans, "nor"));
+}
+
+} // namespace
+
+bool
+isScanFolder(const std::string& path)
+{
+  return datasetOf(path) != nullptr;
+}
+
+bool
+isScan(const std::string& path)
+{
+  if (isFolder(path))
+    return isScanFolder(path);
+  const CloudFormat* const format = findCloudFormat(path);
+  std::error_code error;
+  return format && format->read && fs::is_regular_file(path, error);
+}
+
+std::vector<std::string>
+datasetNames()
+{
+  std::vector<std::string> names;
+  for (const Dataset& dataset : datasets)
+    names.push_back(dataset.name);
+  return names;
+}
+
+LabelledCloud
+readScan(const std::string& path, const ScanOptions& options)
+{
+  requireUseForTable(path, options.class_table);
+  if (const Dataset* const dataset = datasetOf(path))
+    return dataset->read(path, options);
+  if (isFolder(path))
+    refuseFolder(path);
+  return readCloud(path);
+}
+
+std::vector<std::string>
+scanFiles(const std::string& path, const std::string& class_table)
+{
+  const Dataset* const dataset = datasetOf(path);
+  return dataset ? dataset->files(path, class_table) : std::vector<std::string>{path};
+}
+
+std::string
+scanName(const std::string& path)
+{
+  if (const Dataset* const dataset = datasetOf(path))
+    return dataset->scan_name(path);
+  const fs::path name = lastName(path);
+  return (isFolder(path) ? name : name.stem()).string();
+}
+
+} // namespace pcl_cid

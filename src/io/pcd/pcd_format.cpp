@@ -1,0 +1,50 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The row of PCD in the table of cloud formats.
+ */
+
+#include "pcd_format.h"
+
+#include "pcd_header.h"
+
+#include <iomanip>
+#include <istream>
+#include <string>
+
+namespace pcl_cid {
+namespace {
+
+/** Comments, then an entry of a header. */
+bool
+recognizesPCD(std::istream& stream)
+{
+  std::string line;
+  while ((stream >> std::ws).peek() == '#')
+    std::getline(stream, line);
+  constexpr int longer_than_any = 16; // of a file without blanks, no more is read
+  std::string word;
+  stream >> std::setw(longer_than_any) >> word;
+  return isPCDEntry(word);
+}
+
+} // namespace
+
+CloudFormat
+pcdFormat()
+{
+  CloudFormat format;
+  format.name = "PCD";
+  format.extensions = {".pcd"};
+  format.encodings = {
+      CloudEncoding::ascii, CloudEncoding::binary, CloudEncoding::compressed};
+  format.recognizes = recognizesPCD;
+  format.read = readPCD;
+  format.write = writePCD;
+  return format;
+}
+
+} // namespace pcl_cid

@@ -1,0 +1,263 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Reading PCD files: a strict header, then one of three bodies.
+ */
+
+#include "base/sentence.h"
+#include "fields/field_values.h"
+#include "pcd_format.h"
+#include "pcd_header.h"
+#include "text/file_reading.h"
+#include "text/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <istream>
+#include <string_view>
+#include <vector>
+
+#include <pcl/io/lzf.h>
+
+namespace pcl_cid {
+namespace {
+
+/** Reads one file; each member function is one part of it. */
+class PCDReading {
+public:
+  PCDReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
+  : stream_(stream)
+  , header_(readPCDHeader(stream, cloud.name))
+  , body_size_(bytesLeft(stream, size))
+  , line_(header_.lines)
+  , cloud_(cloud)
+  {
+  }
+
+  void
+  read()
+  {
+    makeFields();
+    switch (header_.encoding) {
+    case CloudEncoding::ascii:
+      return readAscii();
+    case CloudEncoding::binary:
+      return readBinary();
+    case CloudEncoding::compressed:
+      return readCompressed();
+    }
+  }
+
+private:
+  template <typename... Parts>
+  [[noreturn]] void
+  fail(const Parts&... parts) const
+  {
+    throw CIDException(sentence(cloud_.name, ": ", parts...));
+  }
+
+  void
+  makeFields()
+  {
+    cloud_.layout = {"PCD", header_.encoding};
+    cloud_.sensor_origin = header_.origin;
+    cloud_.sensor_orientation = header_.orientation;
+    cloud_.fields.width = header_.width;
+    cloud_.fields.height = header_.height;
+    for (const PCDColumn& column : header_.columns)
+      if (!column.isPadding())
+        addField(column.name, column.datatype, column.count, cloud_.fields);
+    cloud_.fields.row_step = cloud_.fields.point_step * cloud_.fields.width;
+  }
+
+  [[noreturn]] void
+  failTruncated(std::uint64_t needed) const
+  {
+    fail("is truncated: ",
+         countOf(cloud_.size(), "point"),
+         " need at least ",
+         needed,
+         " bytes after the header, but there are ",
+         body_size_);
+  }
+
+  /** \return values of a point, padding included or not */
+  std::size_t
+  valuesOfPoint() const
+  {
+    std::size_t values = 0;
+    for (const PCDColumn& column : header_.columns)
+      values += column.count;
+    return values;
+  }
+
+  void
+  readAscii()
+  {
+    // At least a digit and a separator for each value; the last needs no separator.
+    const std::uint64_t least = 2 * valuesOfPoint() * cloud_.size() - 1;
+    if (body_size_ < least)
+      failTruncated(least);
+    makeRoom();
+    std::uint8_t* point = cloud_.fields.data.data();
+    std::string line;
+    std::size_t read = 0;
+    while (std::getline(stream_, line)) {
+      ++line_;
+      if (line.find_first_not_of(" \t\r") == std::string::npos)
+        continue;
+      if (read == cloud_.size())
+        fail("line ", line_, ": more points than the ", read, " that the header says");
+      readPoint(line, point);
+      point += cloud_.fields.point_step;
+      ++read;
+    }
+    if (read < cloud_.size())
+      fail("is truncated: the header says ",
+           countOf(cloud_.size(), "point"),
+           ", but there are ",
+           read);
+  }
+
+  void
+  readPoint(std::string_view line, std::uint8_t* point) const
+  {
+    constexpr std::string_view blanks = " \t\r";
+    std::uint8_t padding[8];
+    for (const PCDColumn& column : header_.columns)
+      for (std::uint32_t k = 0; k < column.count; ++k) {
+        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+        const std::string_view word = line.substr(0, line.find_first_of(blanks));
+        line.remove_prefix(word.size());
+        if (word.empty())
+          fail("line ",
+               line_,
+               ": fewer values than the ",
+               valuesOfPoint(),
+               " of a point");
+        std::uint8_t* const target =
+            column.isPadding() ? padding
+                               : point + column.offset + k * sizeOf(column.datatype);
+        if (!parseValue(word, column.datatype, target))
+          fail("line ",
+               line_,
+               ": '",
+               word.substr(0, 32),
+               "' is no value for field '",
+               column.name,
+               "' (",
+               kindOf(column.datatype),
+               sizeOf(column.datatype),
+               ")");
+      }
+    if (line.find_first_not_of(blanks) != std::string_view::npos)
+      fail("line ", line_, ": more values than the ", valuesOfPoint(), " of a point");
+  }
+
+  void
+  readBinary()
+  {
+    std::size_t file_step = 0;
+    for (const PCDColumn& column : header_.columns)
+      file_step += column.bytes();
+    const std::uint64_t needed = static_cast<std::uint64_t>(file_step) * cloud_.size();
+    if (body_size_ < needed)
+      failTruncated(needed);
+    makeRoom();
+    std::uint8_t* point = cloud_.fields.data.data();
+    std::vector<char> row(file_step);
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      readBytes(row.data(), row.size());
+      const char* source = row.data();
+      for (const PCDColumn& column : header_.columns) {
+        if (!column.isPadding())
+          std::memcpy(point + column.offset, source, column.bytes());
+        source += column.bytes();
+      }
+      point += cloud_.fields.point_step;
+    }
+  }
+
+  /** Two sizes, then all values of the first field, of the second, ... compressed. */
+  void
+  readCompressed()
+  {
+    std::array<std::uint32_t, 2> sizes{};
+    if (body_size_ < sizeof(sizes))
+      failTruncated(sizeof(sizes));
+    readBytes(reinterpret_cast<char*>(sizes.data()), sizeof(sizes));
+    const auto [packed_size, plain_size] = sizes;
+    const std::uint64_t needed =
+        static_cast<std::uint64_t>(cloud_.fields.point_step) * cloud_.size();
+    if (body_size_ - sizeof(sizes) < packed_size)
+      failTruncated(sizeof(sizes) + packed_size);
+    // LZF expands 3 bytes to at most 264. A damaged size must not cost any memory.
+    if (plain_size != needed || plain_size / 88 > packed_size)
+      fail("is damaged: ",
+           countOf(cloud_.size(), "point"),
+           " are ",
+           needed,
+           " bytes, but the compressed data announce ",
+           plain_size,
+           " in ",
+           packed_size);
+    constexpr std::size_t longest_run = 64; // damaged data may begin one at their end
+    std::vector<char> packed(packed_size + longest_run);
+    readBytes(packed.data(), packed_size);
+    std::vector<std::uint8_t> plain(plain_size);
+    if (pcl::lzfDecompress(packed.data(), packed_size, plain.data(), plain_size) !=
+        plain_size)
+      fail("is damaged: the compressed data cannot be unpacked");
+    makeRoom();
+    unpackFields(plain.data());
+  }
+
+  void
+  unpackFields(const std::uint8_t* source)
+  {
+    for (const PCDColumn& column : header_.columns) {
+      if (column.isPadding())
+        continue;
+      std::uint8_t* target = cloud_.fields.data.data() + column.offset;
+      for (std::size_t i = 0; i < cloud_.size(); ++i) {
+        std::memcpy(target, source, column.bytes());
+        source += column.bytes();
+        target += cloud_.fields.point_step;
+      }
+    }
+  }
+
+  void
+  makeRoom()
+  {
+    cloud_.fields.data.resize(static_cast<std::size_t>(cloud_.fields.point_step) *
+                              cloud_.size());
+  }
+
+  void
+  readBytes(char* bytes, std::size_t count)
+  {
+    if (!stream_.read(bytes, static_cast<std::streamsize>(count)))
+      fail("cannot be read to its end");
+  }
+
+  std::istream& stream_;
+  const PCDHeader header_;
+  const std::uint64_t body_size_;
+  std::size_t line_;
+  LabelledCloud& cloud_;
+};
+
+} // namespace
+
+void
+readPCD(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
+{
+  PCDReading(stream, size, cloud).read();
+}
+
+} // namespace pcl_cid

@@ -1,0 +1,44 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The row of PLY in the table of cloud formats.
+ */
+
+#include "ply_format.h"
+
+#include <iomanip>
+#include <istream>
+#include <string>
+
+namespace pcl_cid {
+namespace {
+
+/** The first line is "ply". */
+bool
+recognizesPLY(std::istream& stream)
+{
+  constexpr int longer_than_ply = 8; // of a file without blanks, no more is read
+  std::string word;
+  return stream.peek() == 'p' && stream >> std::setw(longer_than_ply) >> word &&
+         word == "ply";
+}
+
+} // namespace
+
+CloudFormat
+plyFormat()
+{
+  CloudFormat format;
+  format.name = "PLY";
+  format.extensions = {".ply"};
+  format.encodings = {CloudEncoding::ascii, CloudEncoding::binary};
+  format.recognizes = recognizesPLY;
+  format.read = readPLYCloud;
+  format.write = writePLYCloud;
+  return format;
+}
+
+} // namespace pcl_cid

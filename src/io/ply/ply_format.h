@@ -1,0 +1,31 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Polygon files (.ply) as clouds.
+ */
+
+#pragma once
+
+#include <pcl_cid/io/cloud_format.h>
+
+#include <cstdint>
+#include <iosfwd>
+
+namespace pcl_cid {
+
+/** \brief The row of PLY in the table of cloud formats. */
+CloudFormat
+plyFormat();
+
+/** \brief Read the vertices and the camera of a PLY; see CloudFormat::read. */
+void
+readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
+
+/** \brief Write a PLY; see CloudFormat::write. */
+void
+writePLYCloud(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding);
+
+} // namespace pcl_cid

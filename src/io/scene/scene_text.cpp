@@ -1,0 +1,102 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What the writers of scenes share: numbers, colors and names as text.
+ */
+
+#include "scene_text.h"
+
+#include "base/sentence.h"
+#include "text/numbers.h"
+
+#include <pcl_cid/io/mesh_export.h>
+
+#include <algorithm>
+
+namespace pcl_cid {
+namespace {
+
+/** XML 1.0 and formats made of lines have no place for control characters. */
+void
+requirePrintable(const char* what, const std::string& text)
+{
+  const auto is_control = [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+  };
+  if (std::any_of(text.begin(), text.end(), is_control))
+    throw CIDException(
+        sentence(what, " '", text, "' holds a control character; choose another name"));
+}
+
+} // namespace
+
+std::string
+numbers(std::initializer_list<double> values)
+{
+  std::string text;
+  for (const double value : values) {
+    if (!text.empty())
+      text += ' ';
+    appendNumber(value, text);
+  }
+  return text;
+}
+
+std::string
+numbers(const Eigen::Vector3d& v)
+{
+  return numbers({v.x(), v.y(), v.z()});
+}
+
+std::string
+rgba(std::size_t part)
+{
+  const PartColor color = partColor(part);
+  return numbers({color.red / 255.0, color.green / 255.0, color.blue / 255.0, 1.0});
+}
+
+void
+requireName(const char* what, const std::string& name)
+{
+  if (name.empty())
+    throw CIDException(sentence(what, " is empty; give it a name"));
+  requirePrintable(what, name);
+}
+
+std::string
+escaped(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+    switch (c) {
+    case '&':
+      result += "&amp;";
+      break;
+    case '<':
+      result += "&lt;";
+      break;
+    case '>':
+      result += "&gt;";
+      break;
+    case '"':
+      result += "&quot;";
+      break;
+    default:
+      result += c;
+    }
+  return result;
+}
+
+std::string
+meshReference(std::size_t part, const SceneDescription& scene)
+{
+  requirePrintable("the folder of the meshes", scene.mesh_folder);
+  const std::string folder =
+      scene.mesh_folder.empty() ? std::string() : scene.mesh_folder + '/';
+  return escaped(folder + partFileName(part, scene.mesh_extension));
+}
+
+} // namespace pcl_cid
