@@ -185,15 +185,34 @@ CIDParameters::prepare()
   return scan_;
 }
 
-/** A subsample that is drawn here must hold the seeds that were given; another set of
- *  seeds means another draw. */
-void
-CIDParameters::requireInSubsample(const pcl::Indices& seeds)
+/** Whether there is a scan for some seeds: a subsample that is drawn here holds those
+ *  that were given, and is drawn again for others. */
+bool
+CIDParameters::holdsInSubsample(const pcl::Indices& seeds) const
 {
-  if (scan_is_given_ || preparation_.subsample == 0 || preparation_.required == seeds)
+  return scan_ && (scan_is_given_ || preparation_.subsample == 0 ||
+                   preparation_.required == seeds);
+}
+
+PreparedScan::ConstPtr
+CIDParameters::scanThatHolds(const pcl::Indices& seeds) const
+{
+  if (holdsInSubsample(seeds))
+    return scan_;
+  PreparationSettings settings = preparation_;
+  settings.required = seeds;
+  return std::make_shared<const PreparedScan>(
+      gatherScan(), settings, execution(0.0, 0.0));
+}
+
+void
+CIDParameters::takeScan(const PreparedScan::ConstPtr& scan)
+{
+  if (scan == scan_)
     return;
-  preparation_.required = seeds;
   forgetScan();
+  preparation_ = scan->settings();
+  scan_ = scan;
 }
 
 /** Whether a grouping is what the settings would make, CIDs aside. */
@@ -204,10 +223,17 @@ CIDParameters::fits(const Grouping& grouping) const
          grouping.settings().seeding == grouping_settings_.seeding;
 }
 
-std::shared_ptr<Grouping>
-CIDParameters::newGrouping()
+/** Whether a run of Algorithm 1 by the settings would pass through the seeds that there
+ *  are: it would not have stopped before the last of them. */
+bool
+CIDParameters::canGoOn() const
 {
-  return std::make_shared<Grouping>(prepare(), grouping_settings_);
+  if (!proposed_ || !fits(*grouping_))
+    return false;
+  const std::vector<float> coverage = grouping_->proposal().coverage;
+  const std::size_t seeds = coverage.size();
+  return seeds > 0 && seeds <= static_cast<std::size_t>(number_of_seeds_) &&
+         (seeds == 1 || coverage[seeds - 2] > coverage_);
 }
 
 void
@@ -218,18 +244,19 @@ CIDParameters::proposeSeeds(const char* caller, const ExecutionOptions& executio
     publish(execution);
     return;
   }
-  requireInSubsample({});
-  const bool goes_on = proposed_ && fits(*grouping_) &&
-                       proposed_->coverage == coverage_ &&
-                       proposed_->seeds <= number_of_seeds_;
+  takeScan(scanThatHolds({}));
+  const bool goes_on = canGoOn();
   const auto wanted = static_cast<std::size_t>(number_of_seeds_);
-  if (!goes_on || proposed_->seeds < number_of_seeds_) {
-    const auto grouping = goes_on ? changeableGrouping() : newGrouping();
+  if (goes_on && proposed_->seeds == number_of_seeds_ &&
+      proposed_->coverage == coverage_)
+    publish(execution);
+  else {
+    const auto grouping = goes_on
+                              ? changeableGrouping()
+                              : std::make_shared<Grouping>(scan_, grouping_settings_);
     grouping->propose(wanted, coverage_, execution);
     publish(grouping, execution);
   }
-  else
-    publish(execution);
   proposed_ = Request{number_of_seeds_, coverage_};
   warnIfShort(caller, wanted);
 }
@@ -260,13 +287,19 @@ CIDParameters::groupBySeeds(const pcl::Indices& seeds,
                             const ExecutionOptions& execution)
 {
   proposal_ = SeedProposal();
-  requireInSubsample(seeds);
-  if (grouping_ && fits(*grouping_) && grouping_->seeds() == seeds) {
+  if (grouping_ && fits(*grouping_) && grouping_->seeds() == seeds)
     publish(execution);
-    return;
-  }
-  const auto grouping = newGrouping();
+  else
+    regroup(seeds, execution);
+}
+
+void
+CIDParameters::regroup(const pcl::Indices& seeds, const ExecutionOptions& execution)
+{
+  const PreparedScan::ConstPtr scan = scanThatHolds(seeds);
+  const auto grouping = std::make_shared<Grouping>(scan, grouping_settings_);
   grouping->addSeeds(seeds, execution);
+  takeScan(scan);
   publish(grouping, execution);
 }
 

@@ -365,13 +365,25 @@ protected:
               const char* caller,
               const ExecutionOptions& execution);
 
-  /** \brief Groups by given seeds.
+  /** \brief Groups by given seeds, unless there are these already.
    *  \param[in] seeds distinct points of the input cloud */
   void
   groupBySeeds(const pcl::Indices& seeds, const ExecutionOptions& execution);
 
-  /** \brief Take over the groups of another object, and its scan: they replace what
-   *  proposeSeeds() would find.
+  /** \brief Groups by given seeds, in a subsample that holds them: the object is as
+   *  before when an exception is thrown. */
+  void
+  regroup(const pcl::Indices& seeds, const ExecutionOptions& execution);
+
+  /** \brief Take the result of a verb back: a later step of it has failed. */
+  void
+  clearProposal()
+  {
+    proposal_ = SeedProposal();
+  }
+
+  /** \brief Take over the groups of another object, and its scan: they stand in the
+   *  place of what proposeSeeds() would find.
    *  \throws CIDException when it is null */
   void
   adoptGrouping(const Grouping::ConstPtr& grouping);
@@ -394,11 +406,17 @@ private:
   bool
   fits(const Grouping& grouping) const;
 
-  void
-  requireInSubsample(const pcl::Indices& seeds);
+  bool
+  canGoOn() const;
 
-  std::shared_ptr<Grouping>
-  newGrouping();
+  bool
+  holdsInSubsample(const pcl::Indices& seeds) const;
+
+  PreparedScan::ConstPtr
+  scanThatHolds(const pcl::Indices& seeds) const;
+
+  void
+  takeScan(const PreparedScan::ConstPtr& scan);
 
   void
   publish(const ExecutionOptions& execution);

@@ -87,7 +87,8 @@ public:
 
   /** \brief The same for all points of a prepared scan; its field is reused where its
    *  surface is exactly these points.
-   *  \param[in] scan not null */
+   *  \param[in] scan not null
+   *  \throws CIDException when it is, or an option is out of its range, CIDCancelled */
   TightnessMeter(const PreparedScan::ConstPtr& scan, const TightnessOptions& options);
 
   /** \brief The figures of hulls in the frame of the input cloud of the scan.

@@ -114,9 +114,10 @@ public:
   /** \param[in] scan its points are moved from
    *  \param[in] settings see PreparationSettings
    *  \param[in] execution threads and progress; never change the result
-   *  \throws CIDException when there is no finite point, when the start, a required
-   *  point or every candidate is not one of them, when a setting is out of its range,
-   *  or when coordinates are too large to square; CIDCancelled
+   *  \throws CIDException when there is no point, when one is not finite, when indices
+   *  or colors are not those of the points, when the start, a required point or every
+   *  candidate is not one of them, when a setting is out of its range, or when
+   *  coordinates are too large to square; CIDCancelled
    *  \note Cost: O(N log N); about 150 bytes a point (see DistanceField). */
   PreparedScan(RawScan scan,
                const PreparationSettings& settings,

@@ -78,7 +78,13 @@ CIDLabelPropagation<PointT>::segment(std::vector<std::uint32_t>& labels)
   else
     this->groupBySeeds(seeds_, execution);
   const SeedProposal& proposal = this->getProposal();
-  result_labels_ = labelsOfSeeds(proposal.seeds);
+  try {
+    result_labels_ = labelsOfSeeds(proposal.seeds);
+  }
+  catch (...) {
+    this->clearProposal();
+    throw;
+  }
   labels.resize(proposal.group.size(), 0);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (proposal.group[i] >= 0)
@@ -107,7 +113,7 @@ CIDLabelPropagation<PointT>::correct(pcl::Indices seeds,
 {
   const ExecutionOptions execution = this->execution(0.0, 1.0);
   if (this->getSubsample() > 0)
-    this->groupBySeeds(seeds, execution);
+    this->regroup(seeds, execution);
   else {
     const std::shared_ptr<Grouping> grouping = this->changeableGrouping();
     change(*grouping, execution);
@@ -145,8 +151,12 @@ void
 CIDLabelPropagation<PointT>::removeSeeds(const pcl::Indices& seeds)
 {
   std::vector<std::size_t> numbers;
-  for (const pcl::index_t seed : seeds)
+  for (const pcl::index_t seed : seeds) {
     numbers.push_back(numberOfSeed(seed));
+    if (std::count(numbers.begin(), numbers.end(), numbers.back()) > 1)
+      throw CIDException("seed " + std::to_string(seed) +
+                         " is given twice; it can be taken away only once");
+  }
   pcl::Indices left;
   std::vector<std::uint32_t> left_labels;
   for (std::size_t k = 0; k < result_labels_.size(); ++k)

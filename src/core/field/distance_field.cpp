@@ -10,11 +10,13 @@
 #include "base/parallel_for.h"
 #include "base/requirements.h"
 #include "block_tree.h"
+#include "build_count.h"
 #include "distance_grid.h"
 
 #include <pcl_cid/core/distance_field.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -27,6 +29,8 @@
 
 namespace pcl_cid {
 namespace {
+
+std::atomic<std::size_t> fields_built{0};
 
 DistanceField::SearchPtr
 makeKdTree()
@@ -63,6 +67,12 @@ cloudOf(const BlockTree& tree, std::size_t size)
 
 } // namespace
 
+std::size_t
+fieldsBuilt()
+{
+  return fields_built;
+}
+
 DistanceField::DistanceField(const Points& surface) : DistanceField(surface, Options())
 {
 }
@@ -79,6 +89,7 @@ DistanceField::DistanceField(const Points& surface, const Options& options)
       options.memory_budget > 0 ? options.memory_budget : quarterOfMemory();
   tree_ = std::make_unique<BlockTree>(surface, threads, progress);
   grid_ = std::make_unique<DistanceGrid>(*tree_, budget, threads, progress);
+  ++fields_built;
 }
 
 DistanceField::~DistanceField() = default;

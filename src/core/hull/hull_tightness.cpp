@@ -58,12 +58,20 @@ valid(const TightnessOptions& options)
   return options;
 }
 
+const PreparedScan&
+notNull(const PreparedScan::ConstPtr& scan)
+{
+  if (!scan)
+    throw CIDException("there is no prepared scan to measure against; give one");
+  return *scan;
+}
+
 /** The field of the scan, where its surface is exactly its points; the pointer keeps
  *  the scan alive. */
 std::shared_ptr<const DistanceField>
 fieldOfPoints(const PreparedScan::ConstPtr& scan, const TightnessOptions& options)
 {
-  if (valid(options); scan->pointsAreSurface())
+  if (valid(options); notNull(scan).pointsAreSurface())
     return {scan, &scan->field()};
   return std::make_shared<const DistanceField>(scan->points().points,
                                                fieldOptions(options));
@@ -119,7 +127,7 @@ TightnessMeter::TightnessMeter(const PointSet& scan, const TightnessOptions& opt
 
 TightnessMeter::TightnessMeter(const PreparedScan::ConstPtr& scan,
                                const TightnessOptions& options)
-: TightnessMeter(scan->points(), fieldOfPoints(scan, options), options)
+: TightnessMeter(notNull(scan).points(), fieldOfPoints(scan, options), options)
 {
 }
 

@@ -35,12 +35,55 @@ constexpr float largest_coordinate = 1e15f;
 void
 requireModerate(const Points& points)
 {
-  for (const Eigen::Vector3f& p : points)
+  for (const Eigen::Vector3f& p : points) {
+    if (!p.allFinite())
+      throw CIDException(sentence("a point is (",
+                                  p.x(),
+                                  ", ",
+                                  p.y(),
+                                  ", ",
+                                  p.z(),
+                                  "); all points to prepare must be finite"));
     if (p.cwiseAbs().maxCoeff() > largest_coordinate)
       throw CIDException(sentence("a coordinate is ",
                                   p.cwiseAbs().maxCoeff(),
                                   " from the middle of the cloud; it must be within ",
                                   largest_coordinate));
+  }
+}
+
+/** Indices of the cloud: results are written to these places. */
+void
+requireIndices(const PointSet& points, std::size_t cloud_size)
+{
+  const pcl::Indices& source = points.source;
+  if (source.size() != points.size())
+    throw CIDException(sentence("there are ",
+                                points.size(),
+                                " points and ",
+                                source.size(),
+                                " indices; there must be one for each point"));
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    requireIndex("index of a point", source[i], cloud_size);
+    if (i > 0 && source[i] <= source[i - 1])
+      throw CIDException(sentence("the indices of the points hold ",
+                                  source[i],
+                                  " after ",
+                                  source[i - 1],
+                                  "; they must ascend"));
+  }
+}
+
+void
+requireColors(const std::vector<ColorRGB>& colors, std::size_t points)
+{
+  if (colors.size() != points)
+    throw CIDException(sentence("there are ",
+                                colors.size(),
+                                " colors; where the color weight is above 0 there must "
+                                "be one for each of the ",
+                                points,
+                                " points"));
 }
 
 /** Position of a point of the input cloud, -1 when it is not among the points. */
@@ -223,6 +266,9 @@ private:
   {
     requireInRange(settings_);
     requirePoints(scan_.points.points);
+    requireIndices(scan_.points, scan_.cloud_size);
+    if (settings_.color > 0.0f)
+      requireColors(scan_.colors, scan_.points.size());
     requireModerate(scan_.points.points);
     requireModerate(scan_.surface);
   }
