@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -301,6 +303,118 @@ TEST(CIDConvexAbstraction, HullsFollowTheirSettings)
   options.max_vertices = 20;
   options.padding = 0.1;
   expectGuarantees(parts[0], points, options, "two boxes");
+}
+
+TEST(CIDConvexAbstraction, CutCanBeSetAndReset)
+{
+  Abstraction abstraction = abstractionFor(toCloud(twoBoxes(400, 111)));
+  std::vector<pcl::PointIndices> at_elbow, parts;
+  abstraction.segment(at_elbow);
+  const MergeTree tree = abstraction.getMergeTree();
+  const double height = tree.steps()[4].height;
+  using Set = std::function<void()>;
+  const struct {
+    Set set;
+    MergeCut cut;
+  } cuts[] = {
+      {[&] { abstraction.setNumberOfParts(6); }, {MergeCut::Rule::parts, 6, 0.0}},
+      {[&] { abstraction.setMergeThreshold(height); },
+       {MergeCut::Rule::threshold, 0, height}},
+      {[&] { abstraction.setNumberOfMerges(3); }, {MergeCut::Rule::merges, 3, 0.0}}};
+  const auto partsAt = [&](const MergeCut& cut) {
+    const std::vector<int> numbers = tree.cut(cut);
+    return static_cast<std::size_t>(1 +
+                                    *std::max_element(numbers.begin(), numbers.end()));
+  };
+  for (const auto& each : cuts) {
+    each.set();
+    EXPECT_EQ(abstraction.getMergeCut().rule, each.cut.rule);
+    EXPECT_EQ(abstraction.getMergeCut().count, each.cut.count);
+    EXPECT_EQ(abstraction.getMergeCut().height, each.cut.height);
+    abstraction.segment(parts);
+    EXPECT_EQ(parts.size(), partsAt(each.cut));
+    EXPECT_NE(parts.size(), at_elbow.size()) << "or the reset below shows nothing";
+    abstraction.resetMergeCut();
+    EXPECT_EQ(abstraction.getMergeCut().rule, MergeCut::Rule::elbow);
+    abstraction.segment(parts);
+    ASSERT_EQ(parts.size(), at_elbow.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      EXPECT_EQ(parts[k].indices, at_elbow[k].indices);
+  }
+  for (const auto& first : cuts) // the last one that was set counts
+    for (const auto& last : cuts) {
+      first.set();
+      last.set();
+      abstraction.segment(parts);
+      EXPECT_EQ(parts.size(), partsAt(last.cut));
+    }
+}
+
+TEST(CIDConvexAbstraction, GivenGroupsAreThoseThatItWouldMake)
+{
+  const auto cloud = toCloud(twoBoxes(500, 112));
+  for (const int subsample : {0, 200}) {
+    SCOPED_TRACE(subsample);
+    Abstraction own = abstractionFor(cloud);
+    own.setSubsample(subsample);
+    std::vector<ConvexPart> expected, parts;
+    own.reconstruct(expected);
+    Abstraction given = abstractionFor(cloud);
+    given.setGrouping(own.getGrouping());
+    given.reconstruct(parts);
+    EXPECT_EQ(given.getGrouping(), own.getGrouping());
+    ASSERT_EQ(parts.size(), expected.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      EXPECT_EQ(parts[k].indices, expected[k].indices);
+      EXPECT_EQ(parts[k].hull.vertices, expected[k].hull.vertices);
+    }
+    // With other settings, groups are made again.
+    given.setNumberOfSamples(17);
+    own.setNumberOfSamples(17);
+    given.reconstruct(parts);
+    own.reconstruct(expected);
+    EXPECT_EQ(given.getProposal().group, own.getProposal().group);
+    EXPECT_EQ(parts.size(), expected.size());
+  }
+}
+
+/** Groups need not come from a proposal: what a user has corrected is merged, too. */
+TEST(CIDConvexAbstraction, MergesGroupsOfGivenSeeds)
+{
+  CIDConvexAbstraction<pcl::PointXYZ> proposing =
+      abstractionFor(toCloud(twoBoxes(400, 113)));
+  std::vector<pcl::PointIndices> parts;
+  proposing.segment(parts);
+  auto corrected = std::make_shared<Grouping>(*proposing.getGrouping());
+  corrected->removeSeeds({2, 5});
+  Abstraction abstraction = abstractionFor(proposing.getInputCloud());
+  abstraction.setGrouping(corrected);
+  abstraction.setNumberOfMerges(0);
+  abstraction.segment(parts);
+  EXPECT_EQ(parts.size(), 8u);
+  EXPECT_EQ(abstraction.getProposal().group, corrected->groups());
+  abstraction.setGrouping(std::make_shared<Grouping>(corrected->sharedScan()));
+  EXPECT_THROW(abstraction.segment(parts), CIDException) << "no seeds, no groups";
+}
+
+TEST(CIDConvexAbstraction, CutOfAnotherInputIsRefused)
+{
+  Abstraction abstraction = abstractionFor(toCloud(twoBoxes(400, 114)));
+  std::vector<ConvexPart> parts;
+  abstraction.reconstruct(parts);
+  const std::vector<int> cut = abstraction.getMergeTree().cutAtParts(3);
+  abstraction.reconstruct(cut, parts);
+  EXPECT_EQ(parts.size(), 3u);
+  abstraction.setInputCloud(abstraction.getInputCloud());
+  EXPECT_THROW(abstraction.reconstruct(cut, parts), CIDException);
+  EXPECT_TRUE(parts.empty());
+  abstraction.reconstruct(parts);
+  abstraction.setProgressCallback([](double) { return false; });
+  abstraction.setNumberOfSeeds(11);
+  EXPECT_THROW(abstraction.reconstruct(parts), CIDCancelled);
+  abstraction.setProgressCallback({});
+  EXPECT_THROW(abstraction.reconstruct(cut, parts), CIDException)
+      << "the last verb has no result";
 }
 
 TEST(CIDConvexAbstraction, RefusesBadValues)

@@ -10,8 +10,11 @@
 #include "clouds.h"
 #include "oracle.h"
 
-#include <pcl_cid/cid_sampler.h>
 #include "scan/isolated_points.h"
+#include "scan/lab_color.h"
+#include "scan/local_spacing.h"
+
+#include <pcl_cid/cid_sampler.h>
 
 #include <cmath>
 #include <limits>
@@ -260,7 +263,13 @@ TEST(CIDSampler, EachSetterRefusesABadValueAndKeepsTheOldOne)
     EXPECT_THROW(sampler.setIsolatedNeighbors(neighbors), CIDException);
   for (const float weight : {-0.1f, nan, infinity})
     EXPECT_THROW(sampler.setColorWeight(weight), CIDException);
-  EXPECT_TRUE(sampler.getRawScanSettings() == RawScanSettings());
+  EXPECT_EQ(sampler.getNumberOfThreads(), 0u);
+  EXPECT_EQ(sampler.getDensityWeight(), DensityWeight::automatic);
+  EXPECT_EQ(sampler.getDensityPower(), 1.0f);
+  EXPECT_EQ(sampler.getIsolatedNeighbors(), 4);
+  EXPECT_EQ(sampler.getSeedingRule(), SeedingRule::farthest);
+  EXPECT_EQ(sampler.getColorWeight(), 0.0f);
+  EXPECT_TRUE(sampler.getFillBlindSpot());
   EXPECT_EQ(sampler.getNumberOfSeeds(), 100);
   EXPECT_EQ(sampler.getNumberOfSamples(), 100);
   EXPECT_EQ(sampler.getCoverage(), 0.0f);
@@ -270,7 +279,12 @@ TEST(CIDSampler, EachSetterRefusesABadValueAndKeepsTheOldOne)
     sampler.setNumberOfSeeds(-3);
   }
   catch (const pcl::PCLException& error) {
-    EXPECT_NE(std::string(error.what()).find("-3"), std::string::npos) << error.what();
+    EXPECT_NE(
+        std::string(error.what())
+            .find("the number of seeds is -3; it must be a whole number, at least "
+                  "1"),
+        std::string::npos)
+        << error.what();
   }
 }
 

@@ -9,9 +9,11 @@
 
 #include "hulls.h"
 
-#include <pcl_cid/core/hull_guarantees.h>
 #include "base/random.h"
+#include "prepared_points.h"
+
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/hull_guarantees.h>
 
 #include <cmath>
 #include <numeric>
@@ -150,11 +152,10 @@ randomSmallCloud(std::uint64_t seed)
 std::vector<int>
 groupsOf(const Points& points, std::size_t groups)
 {
-  SeedProposalOptions options;
-  options.seeds = groups;
-  options.keep_cid = false;
-  const SeedProposal proposal = proposeSeeds(DistanceField(points), points, 0, options);
-  return {proposal.group.begin(), proposal.group.end()};
+  Grouping grouping(prepared(points));
+  grouping.propose(groups);
+  const std::vector<pcl::index_t> group = grouping.groups();
+  return {group.begin(), group.end()};
 }
 
 } // namespace pcl_cid::test

@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "base/random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +20,6 @@
 #include <Eigen/Geometry>
 
 #include <pcl_cid/core/point_set.h>
-#include "base/random.h"
 
 namespace pcl_cid::test {
 

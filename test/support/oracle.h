@@ -12,9 +12,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "seeds_on_points.h"
+
 #include <pcl_cid/core/group_merging.h>
-#include <pcl_cid/core/point_set.h>
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/point_set.h>
 
 #include <Eigen/Core>
 

@@ -58,7 +58,7 @@ partsOf(const std::string& name,
   pcl::Indices indices(all.size());
   std::iota(indices.begin(), indices.end(), 0);
   PointSet set(all, indices);
-  set.origin += offset;
+  set.frame.origin += offset;
   scene.parts = makeConvexParts(set, part, {}, {});
   return scene;
 }

@@ -8,7 +8,7 @@
  * nobody waits for helpers that do not come.
  */
 
-#include "../../src/core/parallel_for.h"
+#include "base/parallel_for.h"
 
 #include <atomic>
 #include <chrono>

@@ -45,15 +45,15 @@ TEST(PointSet, KeepsFinitePointsAndTheirIndices)
   const PointSet set(points, {10, 11, 12, 13, 14});
   ASSERT_EQ(set.size(), 2u);
   EXPECT_EQ(set.source, (pcl::Indices{11, 13}));
-  EXPECT_EQ(set.points[0].cast<double>() + set.origin, Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(set.points[1].cast<double>() + set.origin, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(set.frame.toFile(set.points[0].cast<double>()), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(set.frame.toFile(set.points[1].cast<double>()), Eigen::Vector3d(4, 5, 6));
 }
 
 TEST(PointSet, CloudAroundZeroIsUntouched)
 {
   for (const NamedPoints& cloud : randomClouds()) {
     const PointSet set(cloud.points, allOf(cloud.points));
-    EXPECT_TRUE(set.origin.isZero(0.0)) << cloud.name;
+    EXPECT_TRUE(set.frame.origin.isZero(0.0)) << cloud.name;
     EXPECT_EQ(set.points, cloud.points) << cloud.name;
   }
 }
@@ -69,7 +69,8 @@ TEST(PointSet, UtmCloudEqualsTheSameCloudAtTheOriginToTheBit)
   const PointSet there(far, allOf(far));
   EXPECT_EQ(here.points, there.points);
   for (std::size_t i = 0; i < far.size(); ++i)
-    EXPECT_EQ(there.points[i].cast<double>() + there.origin, far[i].cast<double>());
+    EXPECT_EQ(there.frame.toFile(there.points[i].cast<double>()),
+              far[i].cast<double>());
 }
 
 TEST(PointSet, ShiftIsExactAndResultIsNoLargerThanTheCloud)
@@ -78,7 +79,8 @@ TEST(PointSet, ShiftIsExactAndResultIsNoLargerThanTheCloud)
     const Points points = moved(randomCube(300, 8), Eigen::Vector3f::Constant(offset));
     const PointSet set(points, allOf(points));
     for (std::size_t i = 0; i < points.size(); ++i) {
-      EXPECT_EQ(set.points[i].cast<double>() + set.origin, points[i].cast<double>());
+      EXPECT_EQ(set.frame.toFile(set.points[i].cast<double>()),
+                points[i].cast<double>());
       EXPECT_LE(set.points[i].cwiseAbs().maxCoeff(), 3.0f) << "offset " << offset;
     }
   }
@@ -88,14 +90,25 @@ TEST(PointSet, EmptyAndSinglePoint)
 {
   EXPECT_EQ(PointSet(Points(), pcl::Indices()).size(), 0u);
   const PointSet one(Points{{5e5f, 4e6f, 12.5f}}, {0});
-  EXPECT_EQ(one.points[0].cast<double>() + one.origin, Eigen::Vector3d(5e5, 4e6, 12.5));
+  EXPECT_EQ(one.frame.toFile(one.points[0].cast<double>()),
+            Eigen::Vector3d(5e5, 4e6, 12.5));
 }
 
-TEST(PointSet, GivenOriginIsTaken)
+TEST(PointSet, GivenFrameIsTaken)
 {
-  const PointSet set(Points{{10, 20, 30}}, {3}, Eigen::Vector3d(1, 2, 3));
+  const PointSet set(Points{{10, 20, 30}}, {3}, Frame{Eigen::Vector3d(1, 2, 3)});
   EXPECT_EQ(set.points[0], Eigen::Vector3f(9, 18, 27));
   EXPECT_EQ(set.source, pcl::Indices{3});
+  EXPECT_EQ(set.frame.origin, Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(Frame, ThereAndBack)
+{
+  const Frame frame{{512000.0, -4096.0, 0.5}};
+  const Eigen::Vector3d p(1.25, 2.5, -3.0);
+  EXPECT_EQ(frame.toFile(p), Eigen::Vector3d(512001.25, -4093.5, -2.5));
+  EXPECT_EQ(frame.toLocal(frame.toFile(p)), p);
+  EXPECT_EQ(Frame().toLocal(p), p);
 }
 
 } // namespace

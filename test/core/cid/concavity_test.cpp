@@ -7,11 +7,11 @@
  * Eq. 1 to 3: against the literal definitions, and the properties of section III.
  */
 
+#include "base/random.h"
 #include "clouds.h"
 #include "oracle.h"
 
 #include <pcl_cid/core/concavity.h>
-#include "base/random.h"
 #include <pcl_cid/exceptions.h>
 
 #include <cmath>

@@ -8,11 +8,11 @@
  * points and drawn seeds.
  */
 
-#include "clouds.h"
-#include "oracle.h"
-#include "grouping/soft_draw.h"
-
 #include "base/random.h"
+#include "clouds.h"
+#include "grouping/soft_draw.h"
+#include "oracle.h"
+
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
@@ -303,28 +303,27 @@ TEST(TraversalWithCosts, RefusesBadValues)
 {
   const Points points = randomCube(10, 3);
   const DistanceField field(points);
-  const auto refuses = [&](const PairCosts& costs, const pcl::Indices& isolated) {
+  const auto refuses = [&](const PairCosts& costs) {
     SeedProposalOptions options;
     options.costs = &costs;
-    options.isolated = isolated;
-    EXPECT_THROW(proposeSeeds(field, points, 0, options), CIDException);
-    EXPECT_THROW(groupBySeeds(field, points, {0}, options), CIDException);
+    for (const auto place :
+         {WorkingPoints::Place::are_surface, WorkingPoints::Place::anywhere}) {
+      options.place = place;
+      EXPECT_THROW(proposeSeeds(field, points, 0, options), CIDException);
+      EXPECT_THROW(groupBySeeds(field, points, {0}, options), CIDException);
+    }
   };
   PairCosts costs;
   costs.spacing.assign(9, 1.0f);
-  refuses(costs, {}); // too few
+  refuses(costs); // too few
   for (const float bad : {0.0f, -1.0f, NAN, INFINITY}) {
     costs.spacing.assign(10, 1.0f);
     costs.spacing[4] = bad;
-    refuses(costs, {});
+    refuses(costs);
   }
   costs.spacing.clear();
   costs.color.assign(10, Eigen::Vector3f(0.0f, NAN, 0.0f));
-  refuses(costs, {});
-  costs.color.clear();
-  refuses(costs, {10});
-  refuses(costs, {-1});
-  refuses(costs, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}); // all
+  refuses(costs);
   GroupMergingOptions merging;
   costs.spacing.assign(9, 1.0f);
   merging.costs = &costs;

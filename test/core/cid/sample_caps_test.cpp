@@ -7,12 +7,12 @@
  * Upper bounds of d at all samples of a segment, each from some surface points.
  */
 
-#include "../../src/core/sample_caps.h"
+#include "cid/sample_caps.h"
 
+#include "base/random.h"
 #include "clouds.h"
 
 #include <pcl_cid/core/concavity.h>
-#include "base/random.h"
 
 #include <cmath>
 

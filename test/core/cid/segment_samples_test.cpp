@@ -7,7 +7,7 @@
  * Bisection order of the samples; the samples in float.
  */
 
-#include "../../src/core/segment_samples.h"
+#include "cid/segment_samples.h"
 
 #include "clouds.h"
 

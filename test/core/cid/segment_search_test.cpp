@@ -7,12 +7,12 @@
  * What is said of the CID of one segment, against all of its samples.
  */
 
-#include "../../src/core/segment_search.h"
-
+#include "cid/segment_search.h"
 #include "clouds.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -31,18 +31,23 @@ literalCID(const DistanceField& field, const Segment& segment, int samples)
   return largest;
 }
 
-/** A value, bounds and comparisons agree with Eq. 2 wherever the search begins. */
+/** A value, bounds and comparisons agree with Eq. 2 wherever the search begins, and
+ *  whatever it has found before.
+ *  \param[in] search of the field and the order */
 void
-expectEquation2(const DistanceField& field, const Segment& segment, int samples)
+expectEquation2(const DistanceField& field,
+                const SampleOrder& order,
+                SegmentSearch& search,
+                const Segment& segment)
 {
-  const SampleOrder order(samples);
-  const float cid = literalCID(field, segment, samples);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float cid = literalCID(field, segment, order.samples());
   const std::size_t stride = std::max<std::size_t>(1, order.last() / 7);
   for (const float limit :
        {0.0f, 0.5f * cid, cid, std::nextafter(cid, 9e9f), 2.0f * cid, 1e9f})
     for (std::size_t first = 0; first <= order.last(); first += stride) {
       std::size_t hint = first;
-      const auto found = findCIDAtLeast(field, segment, order, limit, hint);
+      const auto found = search.findAtLeast(segment, limit, hint);
       EXPECT_EQ(found.has_value(), cid >= limit);
       if (found) {
         EXPECT_GE(*found, limit);
@@ -50,16 +55,15 @@ expectEquation2(const DistanceField& field, const Segment& segment, int samples)
       }
       EXPECT_LE(hint, order.last());
       hint = first;
-      const float bound =
-          boundPointCID(field, segment, order, limit, Tightness::looks, hint);
+      const float bound = search.upperBound(segment, limit, UpperBound::quick, hint);
       EXPECT_GE(bound, std::min(cid, limit));
       EXPECT_LE(hint, order.last());
       hint = first;
-      EXPECT_EQ(boundPointCID(field, segment, order, limit, Tightness::exact, hint),
+      EXPECT_EQ(search.upperBound(segment, limit, UpperBound::exact, hint),
                 std::min(cid, limit));
       EXPECT_LE(hint, order.last());
       hint = first;
-      const float value = pointCID(field, segment, order, limit, hint);
+      const float value = search.pointCID(segment, limit, hint);
       if (cid < limit) {
         EXPECT_EQ(value, cid);
       }
@@ -68,10 +72,19 @@ expectEquation2(const DistanceField& field, const Segment& segment, int samples)
         EXPECT_LE(value, cid);
       }
       hint = first;
-      EXPECT_EQ(
-          pointCID(field, segment, order, std::numeric_limits<float>::infinity(), hint),
-          cid);
+      EXPECT_EQ(search.pointCID(segment, infinity, hint), cid);
     }
+}
+
+/** The same for segments that one search is asked for one after another.
+ *  \param[in] each called with a function that takes a segment */
+template <typename Each>
+void
+expectEquation2(const DistanceField& field, int samples, const Each& each)
+{
+  const SampleOrder order(samples);
+  SegmentSearch search(field, order);
+  each([&](const Segment& segment) { expectEquation2(field, order, search, segment); });
 }
 
 class SegmentSearchAtScale : public testing::TestWithParam<float> {};
@@ -83,10 +96,12 @@ TEST_P(SegmentSearchAtScale, EqualsEquation2WhateverTheHint)
     p *= GetParam();
   const DistanceField field(surface);
   for (const int samples : {2, 3, 40, 100})
-    for (std::size_t i = 0; i + 1 < 50; ++i) {
-      expectEquation2(field, {surface[i], surface[i + 1], true}, samples);
-      expectEquation2(field, {surface[i], surface[i + 1], false}, samples);
-    }
+    expectEquation2(field, samples, [&](const auto& expect) {
+      for (std::size_t i = 0; i + 1 < 50; ++i) {
+        expect({surface[i], surface[i + 1], true});
+        expect({surface[i], surface[i + 1], false});
+      }
+    });
 }
 
 TEST_P(SegmentSearchAtScale, EqualsEquation2OffTheSurface)
@@ -98,8 +113,10 @@ TEST_P(SegmentSearchAtScale, EqualsEquation2OffTheSurface)
   for (Eigen::Vector3f& p : ends)
     p = GetParam() * (3.0f * p - Eigen::Vector3f::Ones());
   const DistanceField field(surface);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    expectEquation2(field, {ends[i], ends[i + 1], false}, 100);
+  expectEquation2(field, 100, [&](const auto& expect) {
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      expect({ends[i], ends[i + 1], false});
+  });
 }
 
 // At 1e-20 the squares of coordinates are below what float holds in full.
@@ -115,18 +132,22 @@ TEST(SegmentSearch, SegmentsOfNoLengthAndSurfacesOfOnePoint)
   const Points surface = {{0.1f, 0.2f, 0.3f}};
   const Points ends = {{0.1f, 0.2f, 0.3f}, {1.0f, 2.0f, 3.0f}, {-1.0f, 2.0f, 0.0f}};
   const DistanceField field(surface);
-  for (const Eigen::Vector3f& p : ends)
-    for (const Eigen::Vector3f& q : ends)
-      for (const int samples : {2, 5, 100})
-        expectEquation2(field, {p, q, false}, samples);
+  for (const int samples : {2, 5, 100})
+    expectEquation2(field, samples, [&](const auto& expect) {
+      for (const Eigen::Vector3f& p : ends)
+        for (const Eigen::Vector3f& q : ends)
+          expect({p, q, false});
+    });
 }
 
 TEST(SegmentSearch, ManySamples)
 {
   const Points surface = twoBoxes(300, 156);
   const DistanceField field(surface);
-  for (std::size_t i = 0; i + 1 < 8; ++i)
-    expectEquation2(field, {surface[i], surface[i + 1], true}, 1025);
+  expectEquation2(field, 1025, [&](const auto& expect) {
+    for (std::size_t i = 0; i + 1 < 8; ++i)
+      expect({surface[i], surface[i + 1], true});
+  });
 }
 
 TEST(SegmentSearch, OnRealScans)
@@ -137,8 +158,10 @@ TEST(SegmentSearch, OnRealScans)
       GTEST_SKIP() << "../shared/data/" << name << " is absent";
     const Points surface = crop(*scan, 20000, 3);
     const DistanceField field(surface);
-    for (std::size_t i = 0; i + 1000 < surface.size(); i += 1000)
-      expectEquation2(field, {surface[i], surface[i + 999], true}, 100);
+    expectEquation2(field, 100, [&](const auto& expect) {
+      for (std::size_t i = 0; i + 1000 < surface.size(); i += 1000)
+        expect({surface[i], surface[i + 999], true});
+    });
   }
 }
 

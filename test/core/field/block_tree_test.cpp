@@ -7,7 +7,7 @@
  * Every point in one block, boxes that hold their points, and exact searches.
  */
 
-#include "../../src/core/block_tree.h"
+#include "field/block_tree.h"
 
 #include "clouds.h"
 

@@ -7,7 +7,7 @@
  * Certified bounds are bounds, and what the grid answers is exact.
  */
 
-#include "../../src/core/distance_grid.h"
+#include "field/distance_grid.h"
 
 #include "clouds.h"
 

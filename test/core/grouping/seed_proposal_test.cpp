@@ -261,24 +261,26 @@ TEST(SeedProposal, CallbackExceptionReachesTheCaller)
                std::runtime_error);
 }
 
-TEST(SeedProposal, RefusesBadValues)
+/** Points of a block in the places that they may be said to have. */
+TEST(SeedProposal, SameWhereverTheyAreKnownToLie)
 {
-  const Points points = randomCube(10, 37);
-  const DistanceField field(points);
-  EXPECT_THROW(proposeSeeds(field, {}, 0, optionsFor(3)), CIDException);
-  EXPECT_THROW(proposeSeeds(field, points, -1, optionsFor(3)), CIDException);
-  EXPECT_THROW(proposeSeeds(field, points, 10, optionsFor(3)), CIDException);
-  EXPECT_THROW(proposeSeeds(field, points, 0, optionsFor(0)), CIDException);
-  EXPECT_THROW(proposeSeeds(field, points, 0, optionsFor(3, 1)), CIDException);
-  EXPECT_THROW(groupBySeeds(field, points, {}, optionsFor(9)), CIDException);
-  EXPECT_THROW(groupBySeeds(field, points, {10}, optionsFor(9)), CIDException);
-  for (const float coverage : {-0.1f, NAN, INFINITY}) {
-    SeedProposalOptions options = optionsFor(3);
-    options.coverage = coverage;
-    EXPECT_THROW(proposeSeeds(field, points, 0, options), CIDException);
+  for (const NamedPoints& cloud : allClouds()) {
+    SCOPED_TRACE(cloud.name);
+    const DistanceField field(cloud.points);
+    SeedProposalOptions options = optionsFor(12);
+    options.place = WorkingPoints::Place::are_surface;
+    const SeedProposal expected = proposeSeeds(field, cloud.points, 0, options);
+    options.place = WorkingPoints::Place::anywhere;
+    expectSameProposal(proposeSeeds(field, cloud.points, 0, options), expected);
+    options.place = WorkingPoints::Place::on_surface;
+    expectSameProposal(proposeSeeds(field, cloud.points, 0, options), expected);
+    Points larger = cloud.points; // a surface with points that are not grouped
+    larger.push_back(2.0f * cloud.points.back());
+    const DistanceField larger_field(larger);
+    const SeedProposal on = proposeSeeds(larger_field, cloud.points, 0, options);
+    options.place = WorkingPoints::Place::anywhere;
+    expectSameProposal(on, proposeSeeds(larger_field, cloud.points, 0, options));
   }
-  SeedProposal unfit;
-  EXPECT_THROW(extendProposal(field, points, optionsFor(3), unfit), CIDException);
 }
 
 } // namespace

@@ -8,8 +8,11 @@
  */
 
 #include "even_sampler.h"
+#include "field/build_count.h"
 #include "hulls.h"
+#include "prepared_points.h"
 #include "room_scene.h"
+#include "seeds_on_points.h"
 
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/hull_tightness.h>
@@ -148,6 +151,51 @@ struct MergedRoom {
   std::vector<int> group;
   MergeTree tree;
 };
+
+/** Whatever the surface of the scan is, tightness is measured to its points. */
+TEST(Tightness, OfAPreparedScanIsThatOfItsPoints)
+{
+  Points points = gridPoints({1.0, 1.0, 0.5}, [](const Eigen::Vector3d& p) {
+    return p.x() < 0.4 || p.y() < 0.3;
+  });
+  for (Eigen::Vector3f& p : points)
+    p += Eigen::Vector3f(4096.0f, -1024.0f, 0.0f);
+  RawScan raw = rawScan(points);
+  RawScan elsewhere = raw;
+  elsewhere.surface = {raw.points.points.front()};
+  PreparationSettings half = plainSettings();
+  half.subsample = static_cast<int>(points.size() / 2);
+  const struct {
+    PreparedScan::ConstPtr scan;
+    std::size_t fields;
+  } cases[] = {
+      {std::make_shared<const PreparedScan>(raw, plainSettings()), 0},
+      {std::make_shared<const PreparedScan>(elsewhere, plainSettings()), 1},
+      {std::make_shared<const PreparedScan>(raw, half), 1},
+  };
+  TightnessOptions options = freeBeyond(0.07);
+  options.box_samples = 20000;
+  const Tightness expected =
+      TightnessMeter(raw.points, options).measure({partOf(points)});
+  EXPECT_GT(expected.free_volume, 0.0);
+  for (const auto& each : cases) {
+    const std::size_t before = fieldsBuilt();
+    TightnessMeter meter(each.scan, options);
+    EXPECT_EQ(fieldsBuilt() - before, each.fields);
+    const Tightness tightness = meter.measure({partOf(points)});
+    EXPECT_EQ(tightness.volume, expected.volume);
+    EXPECT_EQ(tightness.free_volume, expected.free_volume);
+    EXPECT_EQ(tightness.all.max_concavity, expected.all.max_concavity);
+    EXPECT_EQ(tightness.all.mean_concavity, expected.all.mean_concavity);
+    EXPECT_EQ(tightness.all.free_share, expected.all.free_share);
+  }
+  // The meter keeps the field of the scan alive.
+  TightnessMeter meter(std::make_shared<const PreparedScan>(raw, plainSettings()),
+                       options);
+  EXPECT_EQ(meter.measure({partOf(points)}).free_volume, expected.free_volume);
+  EXPECT_THROW(TightnessMeter(PreparedScan::ConstPtr(), options), CIDException);
+  EXPECT_THROW(TightnessMeter(cases[0].scan, freeBeyond(0.0)), CIDException);
+}
 
 TEST(Tightness, FreeVolumeNeverFallsFromCutToCut)
 {

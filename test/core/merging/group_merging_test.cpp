@@ -7,14 +7,15 @@
  * Algorithm 2 against the oracle, and the cuts of its tree.
  */
 
+#include "base/random.h"
 #include "clouds.h"
 #include "even_sampler.h"
 #include "oracle.h"
+#include "prepared_points.h"
 #include "room_scene.h"
 
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
-#include "base/random.h"
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/exceptions.h>
 
@@ -410,6 +411,44 @@ TEST(GroupMerging, CancelAndBadValues)
   EXPECT_THROW(tree.cutAtParts(0), CIDException);
   EXPECT_THROW(tree.cutAtHeight(-0.1), CIDException);
   EXPECT_THROW(tree.cutAtHeight(NAN), CIDException);
+}
+
+TEST(GroupMerging, OfAGroupingIsThatOfItsGroups)
+{
+  PreparationSettings settings = plainSettings();
+  settings.density = DensityWeight::on;
+  settings.random_seed = 77;
+  for (const int subsample : {0, 250}) {
+    settings.subsample = subsample;
+    Grouping grouping(prepared(twoBoxes(500, 44), settings), {samples});
+    EXPECT_THROW(pcl_cid::mergeGroups(grouping), CIDException) << "no seeds";
+    grouping.propose(14);
+    grouping.removeSeeds({3, 9});
+    MergingSettings merging;
+    merging.group_samples = 6; // far fewer than there are, so that the draw counts
+    pcl_cid::GroupMergingOptions options;
+    options.group_samples = 6;
+    options.samples = samples;
+    options.random_seed = 77;
+    const MergeTree expected = pcl_cid::mergeGroups(
+        grouping.scan().working(), grouping.groupsOfWorkingPoints(), 12, options);
+    expectSame(pcl_cid::mergeGroups(grouping, merging), expected);
+    std::size_t points = 0;
+    for (const std::size_t size : expected.groupSizes())
+      points += size;
+    EXPECT_EQ(points, grouping.scan().working().size());
+    merging.stop_at_parts = 5;
+    EXPECT_EQ(pcl_cid::mergeGroups(grouping, merging).cutAtParts(5),
+              expected.cutAtParts(5));
+    merging.group_samples = 0;
+    EXPECT_THROW(pcl_cid::mergeGroups(grouping, merging), CIDException);
+    merging = {};
+    merging.stop_at_height = -1.0;
+    EXPECT_THROW(pcl_cid::mergeGroups(grouping, merging), CIDException);
+    ExecutionOptions execution;
+    execution.progress = [](double) { return false; };
+    EXPECT_THROW(pcl_cid::mergeGroups(grouping, {}, execution), CIDCancelled);
+  }
 }
 
 } // namespace

@@ -10,8 +10,8 @@
 #include "clouds.h"
 #include "lidar_scan.h"
 #include "oracle.h"
-
 #include "scan/blind_spot.h"
+
 #include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/exceptions.h>
 

@@ -8,8 +8,8 @@
  */
 
 #include "clouds.h"
-
 #include "scan/isolated_points.h"
+
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

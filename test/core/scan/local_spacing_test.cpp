@@ -7,10 +7,10 @@
  * Local spacing: what it is, and when a cloud is uneven.
  */
 
-#include "clouds.h"
-
-#include "scan/local_spacing.h"
 #include "base/random.h"
+#include "clouds.h"
+#include "scan/local_spacing.h"
+
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

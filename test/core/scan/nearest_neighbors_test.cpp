@@ -8,8 +8,8 @@
  */
 
 #include "clouds.h"
-
 #include "scan/nearest_neighbors.h"
+
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>

@@ -84,32 +84,37 @@ TEST(WorkingSet, EveryPointIsDrawnEquallyOften)
     EXPECT_NEAR(count, draws / 4, 120);
 }
 
-TEST(WorkingSet, CarriesGroupsOnToTheNearestPoint)
+TEST(WorkingSet, CarriesValuesOnToTheNearestPoint)
 {
   const PointSet set = sparseSet(150);
   const WorkingSet working = draw(set, 30, {5}, 3);
-  SeedProposal proposal;
-  proposal.seeds = {working.indexOf(5)};
-  for (std::size_t i = 0; i < 30; ++i) {
-    proposal.group.push_back(static_cast<pcl::index_t>(i));
-    proposal.cid.push_back(static_cast<float>(i));
-  }
-  const SeedProposal carried = working.carryOn(proposal, 310);
-  ASSERT_EQ(carried.group.size(), 310u);
-  EXPECT_EQ(carried.seeds, pcl::Indices{11});
+  std::vector<pcl::index_t> numbers(30);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const std::vector<pcl::index_t> carried =
+      working.carryOn(numbers, 310, pcl::index_t{-1});
+  ASSERT_EQ(carried.size(), 310u);
+  EXPECT_EQ(working.cloudIndexOf(working.indexOf(5)), 11);
   for (std::size_t i = 0; i < 310; ++i) {
     if (i % 2 == 0 || i >= 300) {
-      EXPECT_EQ(carried.group[i], -1);
-      EXPECT_TRUE(std::isnan(carried.cid[i]));
+      EXPECT_EQ(carried[i], -1);
       continue;
     }
     const Eigen::Vector3f p = set.points[i / 2];
     float nearest = std::numeric_limits<float>::infinity();
     for (const Eigen::Vector3f& q : working.points())
       nearest = std::min(nearest, (p - q).norm());
-    const auto followed = static_cast<std::size_t>(carried.group[i]);
+    const auto followed = static_cast<std::size_t>(carried[i]);
     EXPECT_FLOAT_EQ((working.points()[followed] - p).norm(), nearest);
   }
+}
+
+TEST(WorkingSet, CarriesEveryValueOnWithoutASubsample)
+{
+  const PointSet set = sparseSet(20);
+  const std::vector<float> carried =
+      draw(set, 0, {}, 0).carryOn(std::vector<float>(20, 0.5f), 45, NAN);
+  for (std::size_t i = 0; i < 45; ++i)
+    EXPECT_EQ(std::isnan(carried[i]), i % 2 == 0 || i >= 40) << i;
 }
 
 TEST(WorkingSet, ASurfaceOfItsOwnIsMeasuredAgainst)
