@@ -4,32 +4,12 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# Everything that has to be right before a change lands. Build folders: build/<preset>
+# One build, warnings as errors, and all the tests. Build folder: build/dev. What takes
+# builds of its own (sanitizers, colcon, static libraries) is in check_more.sh.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
-
-# test_preset NAME: run the tests of a preset; the output is kept for the summary.
-test_preset() {
-  run ctest --preset "$1" --parallel "$(nproc)" | tee "build/$1/ctest.log"
-}
-
-# colcon_package: what a robotics workspace does with package.xml; static libraries
-# here, so that both kinds are consumed (the shared ones by the test `package`).
-colcon_package() {
-  local workspace=$PWD/build/colcon
-  mkdir -p "$workspace"
-  # Left alone, colcon has Ninja wait while the machine's load is high. -O1: what is asked
-  # here is whether it builds and links, and -O3 takes twice as long.
-  run env MAKEFLAGS=-j"$(nproc)" CMAKE_BUILD_PARALLEL_LEVEL="$(nproc)" colcon --log-base "$workspace/log" build \
-    --paths . --build-base "$workspace/build" --install-base "$workspace/install" \
-    --event-handlers console_direct- \
-    --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
-      -DBUILD_SHARED_LIBS=OFF
-  run cmake -DPREFIX="$workspace/install/pcl_cid" -DWORK_DIR="$workspace/consumer" \
-    -P test/consumer/run.cmake
-}
 
 step "Debian packages"
 install_packages demo check
@@ -43,18 +23,5 @@ step "Tests, warnings as errors"
 build_preset dev -DPCL_CID_REQUIRE_PARSERS=ON
 test_preset dev
 
-step "Tests under AddressSanitizer and UndefinedBehaviorSanitizer"
-build_preset asan
-test_preset asan
-
-step "Threaded tests under ThreadSanitizer"
-build_preset tsan
-test_preset tsan
-
-step "colcon build, and a project that uses the static libraries"
-colcon_package
-
 step "Summary"
-for preset in tsan asan dev; do
-  echo "$preset: $(grep 'tests passed' "build/$preset/ctest.log")"
-done
+summary dev

@@ -4,7 +4,7 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# What demo.sh, check.sh, benchmark.sh and experiments.sh share; sourced by them, from the
+# What demo.sh, check.sh, check_more.sh, benchmark.sh and experiments.sh share; sourced by them, from the
 # project's folder.
 
 # step TEXT: a headline.
@@ -51,4 +51,17 @@ install_packages() {
 build_preset() {
   run cmake --preset "$@"
   run cmake --build --preset "$1" --parallel "$(nproc)"
+}
+
+# test_preset NAME: run the tests of a preset; the output is kept for the summary.
+test_preset() {
+  run ctest --preset "$1" --parallel "$(nproc)" | tee "build/$1/ctest.log"
+}
+
+# summary NAME ...: how the tests of some presets went.
+summary() {
+  local preset
+  for preset in "$@"; do
+    echo "$preset: $(grep 'tests passed' "build/$preset/ctest.log")"
+  done
 }
