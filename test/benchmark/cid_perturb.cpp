@@ -9,14 +9,16 @@
  */
 
 #include "perturbation.h"
-#include "tool_run.h"
+#include "run/command_line.h"
+#include "run/common_settings.h"
+#include "run/run.h"
 
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/scan_source.h>
 
-#include <cfloat>
 #include <iostream>
+#include <limits>
 #include <ostream>
 #include <string>
 
@@ -26,6 +28,26 @@ using namespace pcl_cid;
 using namespace pcl_cid::tools;
 
 constexpr const char* tool = "cid_perturb";
+
+constexpr NumberSetting<double> noise_setting{"Options",
+                                              "noise",
+                                              "noise",
+                                              "SIGMA",
+                                              "metres",
+                                              0.0,
+                                              0.0,
+                                              std::numeric_limits<double>::max(),
+                                              "standard deviation on each coordinate"};
+
+constexpr NumberSetting<double> keep_setting{"Options",
+                                             "keep",
+                                             "fraction to keep",
+                                             "FRACTION",
+                                             "",
+                                             1.0,
+                                             std::numeric_limits<double>::min(),
+                                             1.0,
+                                             "probability of each point to be kept"};
 
 struct PerturbSettings {
   std::string input;
@@ -45,21 +67,9 @@ readCommandLine(int argc, const char* const* argv, PerturbSettings& settings)
       "what\n"
       "a smaller fraction keeps a greater one keeps, too, moved in the same way.");
   line.group("Options");
-  line.number("noise",
-              "SIGMA",
-              {0.0, DBL_MAX, "a number of metres, 0 or more"},
-              settings.perturbation.noise,
-              "standard deviation on each coordinate, metres");
-  line.number("keep",
-              "FRACTION",
-              {DBL_MIN, 1.0, "a number above 0, at most 1"},
-              settings.perturbation.keep,
-              "probability of each point to be kept");
-  line.number("random-seed",
-              "S",
-              {0, UINT64_MAX, "a whole number, 0 to 18446744073709551615"},
-              settings.perturbation.seed,
-              "of every random draw");
+  line.setting(noise_setting, settings.perturbation.noise);
+  line.setting(keep_setting, settings.perturbation.keep);
+  line.setting(setting::random_seed, settings.perturbation.seed);
   declareClassTable(settings.class_table, line);
   line.helpOptions();
   if (!line.parse(argc, argv, {&settings.input, &settings.output}))

@@ -9,9 +9,10 @@
 
 #include "even_sampler.h"
 #include "room_set.h"
+#include "run/command_line.h"
+#include "run/run.h"
 #include "scan_cloud.h"
 #include "scan_positions.h"
-#include "tool_run.h"
 
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/output_files.h>
@@ -29,14 +30,36 @@ using namespace pcl_cid::tools;
 
 constexpr const char* tool = "cid_room_set";
 
-enum class RoomScan : std::size_t { sensor, even };
+enum class RoomScan { sensor, even };
+
+constexpr NumberSetting<unsigned> rooms_setting{
+    "Options", "rooms", "number of rooms", "N", "", 20, 1, 1000, "number of rooms"};
+
+constexpr NumberSetting<std::size_t> points_setting{"Options",
+                                                    "points",
+                                                    "number of points",
+                                                    "P",
+                                                    "",
+                                                    200000,
+                                                    1,
+                                                    100000000,
+                                                    "points of each room"};
+
+constexpr ChoiceSetting<RoomScan, 2> scan_setting{
+    "Options",
+    "scan",
+    "HOW",
+    RoomScan::sensor,
+    {{{"sensor", RoomScan::sensor}, {"even", RoomScan::even}}},
+    "seen by a depth sensor with noise, or points drawn evenly by area: sensor or "
+    "even"};
 
 struct RoomSetSettings {
   std::string folder;
-  unsigned rooms = 20;
-  std::size_t points = 200000;
-  std::uint64_t random_seed = 0;
-  std::size_t scan = 0; ///< as in RoomScan
+  unsigned rooms = rooms_setting.initial;
+  std::size_t points = points_setting.initial;
+  std::uint64_t random_seed = setting::random_seed.initial;
+  RoomScan scan = scan_setting.initial;
 };
 
 bool
@@ -51,29 +74,10 @@ readCommandLine(int argc, const char* const* argv, RoomSetSettings& settings)
       "where the sensor stood. The same bytes for the same options on every machine;\n"
       "a smaller set is the beginning of a larger one.");
   line.group("Options");
-  line.number("rooms",
-              "N",
-              {1u, 1000u, "a whole number, 1 to 1000"},
-              settings.rooms,
-              "number of rooms");
-  line.number(
-      "points",
-      "P",
-      {std::size_t{1}, std::size_t{100000000}, "a whole number, 1 to 100000000"},
-      settings.points,
-      "points of each room");
-  line.number("random-seed",
-              "S",
-              {0, UINT64_MAX, "a whole number, 0 to 18446744073709551615"},
-              settings.random_seed,
-              "of every random draw");
-  line.choice(
-      "scan",
-      "HOW",
-      {"sensor", "even"},
-      settings.scan,
-      "seen by a depth sensor with noise, or points drawn evenly by area: sensor "
-      "or even");
+  line.setting(rooms_setting, settings.rooms);
+  line.setting(points_setting, settings.points);
+  line.setting(setting::random_seed, settings.random_seed);
+  line.choice(scan_setting, settings.scan);
   line.helpOptions();
   return line.parse(argc, argv, {&settings.folder}, "FOLDER");
 }
@@ -100,7 +104,7 @@ scanOf(const RoomSetSettings& settings, unsigned room)
 {
   const std::uint64_t seed = seedOfRoom(settings.random_seed, room);
   const RoomScene scene = makeVariousRoom(seed);
-  return static_cast<RoomScan>(settings.scan) == RoomScan::sensor
+  return settings.scan == RoomScan::sensor
              ? scanVariousRoom(scene, settings.points, seed)
              : sampleRoomEvenly(scene, settings.points, seed);
 }

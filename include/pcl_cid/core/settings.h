@@ -15,7 +15,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace pcl_cid {
 
@@ -32,17 +34,31 @@ struct NumberSetting {
   Value least;
   Value most;
   const char* meaning; ///< one sentence, without its full stop
-  /** What 0 means, where it is allowed beside the range; else null. */
+  /** What 0 means, as it follows "0": "for all"; null where it is a value like any
+   *  other. With a meaning, it is allowed even where the range leaves it out. */
   const char* zero = nullptr;
 
+  /** \brief Whether a value, of this type or a wider one, may be set. */
+  template <typename Given>
   constexpr bool
-  allows(Value value) const
+  allows(Given value) const
   {
-    return (value >= least && value <= most) || (zero && value == Value{0});
+    return (value >= Given{least} && value <= Given{most}) ||
+           (zero && value == Given{0});
+  }
+
+  /** \brief The row of an option that is left out to say what 0 says: without 0. */
+  constexpr NumberSetting
+  withoutZero() const
+  {
+    NumberSetting row = *this;
+    row.zero = nullptr;
+    return row;
   }
 };
 
-/** \brief "a whole number, 2 to 1048576", as it follows "it must be". */
+/** \brief "a whole number, 2 to 1048576", as it follows "it must be"; 0 is named where
+ *  it is allowed beside the range. */
 template <typename Value>
 PCL_CID_EXPORT std::string
 rangeOf(const NumberSetting<Value>& setting);
@@ -77,6 +93,16 @@ struct ChoiceSetting {
         return each.word;
     return "";
   }
+
+  /** \brief The value of a word; none when it is not one of them. */
+  constexpr std::optional<Value>
+  valueOf(std::string_view word) const
+  {
+    for (const Word& each : words)
+      if (each.word == word)
+        return each.value;
+    return std::nullopt;
+  }
 };
 
 /** \brief Whether CIDs are divided by the local spacing of the points (*ours*). */
@@ -97,6 +123,7 @@ namespace setting {
 
 constexpr int any_number = std::numeric_limits<int>::max();
 constexpr float any_length = std::numeric_limits<float>::max();
+constexpr float above_zero = std::numeric_limits<float>::min();
 /** Hulls are made in double; beyond this, cubes of lengths overflow. */
 constexpr double longest = 1e15;
 constexpr double shortest = 1e-15;
@@ -118,9 +145,10 @@ inline constexpr NumberSetting<float> coverage{
     "R",
     "metres",
     0.0f,
-    0.0f,
+    above_zero,
     any_length,
-    "stop when every point is within this CID of its seed; 0 never does"};
+    "stop when every point is within this CID of its seed",
+    "for no limit"};
 
 inline constexpr NumberSetting<int> samples{"Seeds",
                                             "samples",
@@ -141,8 +169,8 @@ inline constexpr NumberSetting<int> subsample{
     0,
     0,
     any_number,
-    "work on a random draw of N points, which the others follow (the paper: 20000); 0 "
-    "works on all"};
+    "work on a random draw of N points, which the others follow (the paper: 20000)",
+    "for all"};
 
 inline constexpr NumberSetting<std::uint64_t> random_seed{
     "Seeds",
@@ -197,7 +225,8 @@ inline constexpr NumberSetting<int> isolated_neighbors{
     4,
     0,
     8,
-    "points with fewer others near them become no seeds; 0 lets all points be seeds"};
+    "points with fewer others near them do not become seeds",
+    "to let all become seeds"};
 
 inline constexpr ChoiceSetting<SeedingRule, 2> seeding{
     "Raw scans",
@@ -216,7 +245,7 @@ inline constexpr NumberSetting<float> color{
     0.0f,
     0.0f,
     any_length,
-    "metres that a unit of difference in CIE L*a*b* adds to a CID"};
+    "what a unit of difference in CIE L*a*b* adds to a CID"};
 
 inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "Raw scans",
@@ -289,7 +318,7 @@ inline constexpr NumberSetting<double> min_thickness{
     0.005,
     shortest,
     longest,
-    "least thickness of a hull; thinner parts are thickened"};
+    "thicken parts that are thinner than this"};
 
 inline constexpr NumberSetting<int> max_vertices{
     "Hulls",
@@ -322,9 +351,9 @@ inline constexpr NumberSetting<double> trim_distance{
     0.0,
     0.0,
     longest,
-    "leave stray points out of hulls: clusters that are farther than this from the "
-    "bulk "
-    "of their part; 0 for none"};
+    "leave stray points out of hulls: clusters that are farther from the bulk of their "
+    "part than this",
+    "for none"};
 
 inline constexpr NumberSetting<double> free_distance{
     "Hulls",
@@ -346,7 +375,8 @@ inline constexpr NumberSetting<unsigned int> threads{
     0,
     0,
     1024,
-    "number of threads, 0 for all; never changes a result"};
+    "number of threads, which never changes a result",
+    "for all"};
 
 } // namespace setting
 

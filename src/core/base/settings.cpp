@@ -34,8 +34,11 @@ realNumberRange(const NumberSetting<Value>& setting)
 {
   const std::string number =
       *setting.unit ? sentence("a number of ", setting.unit) : "a number";
-  if (setting.least == Value{0} && setting.most == std::numeric_limits<Value>::max())
+  const bool is_open = setting.most == std::numeric_limits<Value>::max();
+  if (is_open && setting.least == Value{0})
     return number + ", 0 or more";
+  if (setting.least == std::numeric_limits<Value>::min())
+    return number + " above 0" + (is_open ? "" : sentence(", at most ", setting.most));
   return sentence(number, ", ", setting.least, " to ", setting.most);
 }
 
@@ -50,7 +53,8 @@ rangeOf(const NumberSetting<Value>& setting)
     range = wholeNumberRange(setting);
   else
     range = realNumberRange(setting);
-  return setting.zero ? sentence(range, ", or 0 ", setting.zero) : range;
+  const bool zero_is_beside = setting.zero && setting.least > Value{0};
+  return zero_is_beside ? sentence(range, ", or 0 ", setting.zero) : range;
 }
 
 template <typename Value>

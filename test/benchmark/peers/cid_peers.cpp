@@ -7,8 +7,8 @@
  * CID beside other methods, on the same scan in the same run.
  */
 
-#include "command_line.h"
 #include "comparison.h"
+#include "run/command_line.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/output_files.h>
@@ -33,73 +33,86 @@ constexpr const char* tool = "cid_peers";
 constexpr int paper_points = 20000;
 
 /** What peers are compared with. */
-enum class Compare : std::size_t { parts, curve, none };
+enum class Compare { parts, curve, none };
+
+constexpr ChoiceSetting<Compare, 3> compare_setting{
+    "Comparison",
+    "compare",
+    "WITH",
+    Compare::parts,
+    {{{"parts", Compare::parts}, {"curve", Compare::curve}, {"none", Compare::none}}},
+    "CID with as many parts as each run; all of its numbers of parts, in the report "
+    "only; or nothing"};
+
+constexpr NumberSetting<int> seeds_setting{"Methods",
+                                           "seeds",
+                                           "number of seeds",
+                                           "K",
+                                           "",
+                                           100,
+                                           1,
+                                           1000000,
+                                           "of methods with seeds"};
+
+constexpr NumberSetting<unsigned> starts_setting{
+    "Methods",
+    "starts",
+    "number of starts",
+    "N",
+    "",
+    1,
+    1,
+    1000,
+    "runs of methods with seeds: from random seeds S, S + 1 ..."};
+
+constexpr NumberSetting<int> tree_seeds_setting{
+    "Comparison",
+    "tree_seeds",
+    "number of groups",
+    "K",
+    "",
+    100,
+    1,
+    1000000,
+    "groups of the merge tree that CID is cut from"};
 
 struct Settings : SeedSettings {
   std::string scan;
   std::string methods = "cid,cid20k,euclidean,lccp,region_growing,wcseg";
   std::uint64_t random_seed = 0;
-  unsigned starts = 1;
+  unsigned starts = starts_setting.initial;
   std::string viewpoints;
-  std::size_t compare = 0; ///< as in Compare
+  Compare compare = compare_setting.initial;
   std::string out;
   std::string report;
-
-  Compare
-  comparison() const
-  {
-    return static_cast<Compare>(compare);
-  }
 };
 
 void
 declareMethodOptions(Settings& settings, CommandLine& line)
 {
-  const tools::Allowed<int> numbers = {1, 1000000, "a whole number, 1 to 1000000"};
   line.group("Methods");
   line.text("methods",
             "LIST",
             settings.methods,
             "with commas between, or none; default: all");
-  line.number("seeds", "K", numbers, settings.seeds, "of methods with seeds");
-  line.number("random-seed",
-              "S",
-              {0, UINT64_MAX, "a whole number, 0 to 18446744073709551615"},
-              settings.random_seed,
-              "of methods with seeds");
-  line.number("starts",
-              "N",
-              {1u, 1000u, "a whole number, 1 to 1000"},
-              settings.starts,
-              "runs of methods with seeds: from random seeds S, S + 1 ...");
+  line.setting(seeds_setting, settings.seeds);
+  line.setting(setting::random_seed, settings.random_seed);
+  line.setting(starts_setting, settings.starts);
   line.text("viewpoints",
             "FILE",
             settings.viewpoints,
             "where sensors stood: `sensor_positions` in a JSON file; default: the pose "
             "in SCAN");
-  line.number("threads",
-              "T",
-              {0u, 1024u, "a whole number, 0 to 1024; 0 takes all cores"},
-              settings.threads,
-              "of CID; the others have one");
+  line.setting(
+      setting::threads, settings.threads, "of CID: the others have one thread");
 }
 
 void
 declareComparison(Settings& settings, CommandLine& line)
 {
   line.group("Comparison");
-  line.choice("compare",
-              "WITH",
-              {"parts", "curve", "none"},
-              settings.compare,
-              "CID with as many parts as each run; all of its numbers of parts, in the "
-              "report only; or nothing");
-  line.optionalNumber("tree-seeds",
-                      "K",
-                      {1, 1000000, "a whole number, 1 to 1000000"},
-                      settings.tree_seeds,
-                      "groups of the merge tree that CID is cut from; default: as many "
-                      "as --seeds");
+  line.choice(compare_setting, settings.compare);
+  line.optional(tree_seeds_setting, settings.tree_seeds, "default: as many as --seeds");
   line.text("out", "FOLDER", settings.out, "for the labels of each method");
   line.text("report", "FILE", settings.report, "all runs as JSON");
   line.helpOptions();
@@ -254,9 +267,9 @@ comparePeers(const Settings& settings)
       runs.push_back(std::move(run));
   std::vector<PeerRow> rows = measureAll(scan, std::move(runs));
   std::map<std::size_t, double> curve;
-  if (settings.comparison() == Compare::parts)
+  if (settings.compare == Compare::parts)
     compareWithCID(scan, settings, rows);
-  else if (settings.comparison() == Compare::curve)
+  else if (settings.compare == Compare::curve)
     curve = cidCurve(scan, settings);
   std::cout << settings.scan << ": " << scan.cloud->size() << " points, "
             << countLabels(scan.truth.label) << " instances\n\n"

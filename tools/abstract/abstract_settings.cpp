@@ -1,0 +1,133 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What pcl_cid_abstract is told: its settings and its command line.
+ */
+
+#include "abstract_settings.h"
+
+#include "run/parameter.h"
+
+#include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/mesh_formats.h>
+
+namespace pcl_cid::tools {
+namespace {
+
+constexpr const char* about =
+    "Turn a scan into convex hulls. INPUT is a PCD or PLY file, a room folder of\n"
+    "S3DIS or a scan folder of ScanNet; OUTPUT is a mesh: .obj (an object for each\n"
+    "part, colors in an .mtl beside it), .ply (color and part number for each\n"
+    "face) or .stl.";
+
+void
+declareMergeOptions(AbstractSettings& settings, CommandLine& line)
+{
+  line.group(std::string(setting::parts.group) +
+             " (without --parts, --threshold and --merges, as many as the merges "
+             "themselves suggest)");
+  line.optional(setting::parts, settings.parts);
+  line.optional(setting::threshold, settings.threshold);
+  line.optional(setting::merges, settings.merges);
+  line.setting(setting::group_samples, settings.group_samples);
+  line.setting(setting::min_points, settings.min_points);
+  line.text("labels",
+            "FILE",
+            settings.labels,
+            "write INPUT (.pcd or .ply) with the number of the part + 1 as label");
+  line.text("tree", "FILE.json", settings.tree, "write all merges, in order");
+  line.text("curve",
+            "FILE.csv",
+            settings.curve,
+            "write how tightly hulls fit for many numbers of parts");
+  line.exclude(optionName(setting::parts),
+               {optionName(setting::threshold), optionName(setting::merges)});
+  line.exclude(optionName(setting::threshold), {optionName(setting::merges)});
+}
+
+void
+declareHullOptions(AbstractSettings& settings, CommandLine& line)
+{
+  line.group(setting::min_thickness.group);
+  line.setting(setting::min_thickness, settings.hulls.min_thickness);
+  line.optional(setting::max_vertices, settings.max_vertices);
+  line.setting(setting::padding, settings.hulls.padding);
+  line.setting(setting::trim_distance, settings.hulls.trim_distance);
+  line.setting(
+      setting::free_distance, settings.free_distance, "for --report and --curve");
+  line.flag("verify",
+            settings.verify,
+            "read the meshes again and check what hulls guarantee; nothing is written "
+            "when one fails");
+}
+
+/** Some formats are only written. */
+void
+requireReader(const AbstractSettings& settings)
+{
+  const MeshFormat& format = meshFormatOf(settings.output);
+  if (settings.verify && !format.read)
+    throw UsageError("--verify reads the meshes again, and there is no reader of " +
+                     format.name + "; choose another format");
+}
+
+} // namespace
+
+bool
+readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
+{
+  CommandLine line(abstract_tool, "pcl_cid_abstract INPUT OUTPUT [options]", about);
+  declareMergeOptions(settings, line);
+  declareHullOptions(settings, line);
+  declareSceneOptions(settings.scenes, line);
+  declareSeedOptions(settings, line);
+  declareRunOptions(settings, line);
+  if (!line.parse(argc, argv, {&settings.input, &settings.output}))
+    return false;
+  requireExtension("OUTPUT", settings.output, meshExtensions());
+  if (!settings.labels.empty())
+    requireExtension("--labels", settings.labels, writableCloudExtensions());
+  requireReader(settings);
+  checkSceneOptions(settings.scenes);
+  return true;
+}
+
+void
+announceOutputs(const AbstractSettings& settings, OutputFiles& outputs)
+{
+  announceScenes(settings.scenes, outputs);
+  for (const std::string& path : {settings.output,
+                                  materialsBeside(settings.output),
+                                  settings.labels,
+                                  settings.tree,
+                                  settings.curve,
+                                  settings.report})
+    if (!path.empty())
+      outputs.announce(path);
+}
+
+std::vector<Report::Parameter>
+partParametersOf(const AbstractSettings& settings)
+{
+  std::vector<Report::Parameter> list;
+  if (settings.parts)
+    list.push_back(parameter(setting::parts, *settings.parts));
+  if (settings.threshold)
+    list.push_back(parameter(setting::threshold, *settings.threshold));
+  if (settings.merges)
+    list.push_back(parameter(setting::merges, *settings.merges));
+  list.push_back(parameter(setting::group_samples, settings.group_samples));
+  list.push_back(parameter(setting::min_points, settings.min_points));
+  list.push_back(parameter(setting::min_thickness, settings.hulls.min_thickness));
+  if (settings.max_vertices)
+    list.push_back(parameter(setting::max_vertices, *settings.max_vertices));
+  list.push_back(parameter(setting::padding, settings.hulls.padding));
+  list.push_back(parameter(setting::trim_distance, settings.hulls.trim_distance));
+  list.push_back(parameter(setting::free_distance, settings.free_distance));
+  return list;
+}
+
+} // namespace pcl_cid::tools

@@ -1,0 +1,58 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * What pcl_cid_abstract is told: its settings and its command line.
+ */
+
+#pragma once
+
+#include "run/common_settings.h"
+#include "scene_outputs.h"
+
+#include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/io/output_files.h>
+#include <pcl_cid/io/report.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+constexpr const char* abstract_tool = "pcl_cid_abstract";
+
+/** \brief Settings of pcl_cid_abstract; what is not asked for is empty. */
+struct AbstractSettings : Settings {
+  std::optional<int> parts;
+  std::optional<double> threshold;
+  std::optional<int> merges;
+  int group_samples = setting::group_samples.initial;
+  int min_points = setting::min_points.initial;
+  ConvexPartOptions hulls;
+  std::optional<int> max_vertices;
+  double free_distance = setting::free_distance.initial;
+  bool verify = false;
+  std::string labels;
+  std::string tree;
+  std::string curve;
+  SceneSettings scenes;
+};
+
+/** \brief Read the command line, or answer `--help` and `--version`.
+ *  \return whether there is work to do
+ *  \throws UsageError */
+bool
+readCommandLine(int argc, const char* const* argv, AbstractSettings& settings);
+
+/** \brief Announce all that will be written. */
+void
+announceOutputs(const AbstractSettings& settings, OutputFiles& outputs);
+
+/** \brief The settings of parts and hulls as they were used, for the report. */
+std::vector<Report::Parameter>
+partParametersOf(const AbstractSettings& settings);
+
+} // namespace pcl_cid::tools

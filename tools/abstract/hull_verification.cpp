@@ -1,0 +1,159 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * --verify: the guarantees of the hulls, checked on what is in the files.
+ */
+
+#include "hull_verification.h"
+
+#include <pcl_cid/core/hull_guarantees.h>
+#include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/mesh_formats.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <unordered_map>
+
+namespace pcl_cid::tools {
+namespace {
+
+/** Hulls from a file, and whether it has rounded their coordinates to float. */
+struct StoredHulls {
+  std::vector<TriangleMesh> hulls;
+  bool is_float;
+};
+
+/** Some consecutive triangles of a mesh, as a mesh of its own. */
+TriangleMesh
+piece(const TriangleMesh& mesh, std::size_t first, std::size_t count)
+{
+  TriangleMesh part;
+  std::unordered_map<std::uint32_t, std::uint32_t> number;
+  for (std::size_t t = first; t < std::min(first + count, mesh.triangles.size()); ++t) {
+    std::array<std::uint32_t, 3> triangle = mesh.triangles[t];
+    for (std::uint32_t& v : triangle) {
+      const auto next = static_cast<std::uint32_t>(part.vertices.size());
+      const auto [known, is_new] = number.emplace(v, next);
+      if (is_new)
+        part.vertices.push_back(mesh.vertices[v]);
+      v = known->second;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
+/** The parts of a mesh that does not keep them apart, such as an STL, by their numbers
+ *  of triangles. */
+std::vector<TriangleMesh>
+splitIntoParts(const TriangleMesh& mesh, const std::vector<ConvexPart>& parts)
+{
+  std::vector<TriangleMesh> hulls;
+  std::size_t first = 0;
+  for (const ConvexPart& part : parts) {
+    hulls.push_back(piece(mesh, first, part.hull.triangles.size()));
+    first += part.hull.triangles.size();
+  }
+  if (first != mesh.triangles.size())
+    throw CIDException("it has " + std::to_string(mesh.triangles.size()) +
+                       " triangles; the parts have " + std::to_string(first));
+  return hulls;
+}
+
+/** One hull for each part, from an output that is not committed yet. */
+StoredHulls
+readHulls(const std::string& path,
+          const std::vector<ConvexPart>& parts,
+          OutputFiles& outputs)
+{
+  const MeshFormat& format = meshFormatOf(path);
+  if (!format.read)
+    throw CIDException("nothing reads " + format.name + " again");
+  StoredHulls stored{format.read(outputs.pathBeforeCommit(path)), format.is_float};
+  if (!format.has_parts)
+    stored.hulls = splitIntoParts(stored.hulls.front(), parts);
+  if (stored.hulls.size() != parts.size())
+    throw CIDException("it has " + std::to_string(stored.hulls.size()) +
+                       " hulls; it must have " + std::to_string(parts.size()));
+  return stored;
+}
+
+/** The points of a part in the frame of a mesh. */
+std::vector<Eigen::Vector3d>
+pointsOf(const ConvexPart& part, const CloudPoints& points, const Frame& mesh_frame)
+{
+  const Frame from_mesh{mesh_frame.toLocalDouble(points.frame.origin)};
+  std::vector<Eigen::Vector3d> inside;
+  inside.reserve(part.indices.size());
+  for (const pcl::index_t index : part.indices)
+    inside.push_back(from_mesh.toFile(
+        (*points.points)[static_cast<std::size_t>(index)].getVector3fMap()));
+  return inside;
+}
+
+void
+verifyHull(std::size_t number,
+           const TriangleMesh& hull,
+           bool is_float,
+           const Frame& mesh_frame,
+           const Verification& verification)
+{
+  const auto broken = findBrokenGuarantee(
+      hull,
+      pointsOf(verification.parts[number], verification.points, mesh_frame),
+      verification.options,
+      is_float ? floatRounding(hull) : 0.0);
+  if (broken)
+    throw CIDException("the hull of " + partName(number) +
+                       " breaks a guarantee: " + *broken);
+}
+
+/** Check a file; errors get the name that the user knows it by. */
+template <typename Work>
+void
+check(const std::string& path, const Work& work)
+{
+  try {
+    work();
+  }
+  catch (const CIDException& error) {
+    throw CIDException(path + ": verification: " + error.what());
+  }
+}
+
+} // namespace
+
+void
+verifyMesh(const std::string& path,
+           const Verification& verification,
+           OutputFiles& outputs)
+{
+  check(path, [&] {
+    const StoredHulls stored = readHulls(path, verification.parts, outputs);
+    for (std::size_t k = 0; k < stored.hulls.size(); ++k)
+      verifyHull(k, stored.hulls[k], stored.is_float, Frame(), verification);
+  });
+}
+
+void
+verifyParts(const std::string& folder,
+            const SceneDescription& scene,
+            const Verification& verification,
+            OutputFiles& outputs)
+{
+  for (std::size_t k = 0; k < verification.parts.size(); ++k) {
+    const std::string path =
+        std::filesystem::path(folder) / partFileName(k, scene.mesh_extension);
+    check(path, [&] {
+      const StoredHulls stored = readHulls(path, {verification.parts[k]}, outputs);
+      verifyHull(
+          k, stored.hulls.front(), stored.is_float, Frame{scene.origin}, verification);
+    });
+  }
+}
+
+} // namespace pcl_cid::tools

@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * --verify: the guarantees of the hulls, checked on what is in the files.
+ */
+
+#pragma once
+
+#include <pcl_cid/io/cloud_points.h>
+#include <pcl_cid/io/output_files.h>
+#include <pcl_cid/io/scene_export.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+/** \brief What the files are checked against. */
+struct Verification {
+  const std::vector<ConvexPart>& parts; ///< as they were written
+  const CloudPoints& points;
+  const ConvexPartOptions& options;
+};
+
+/** \brief Read a mesh file with all parts again, before it is committed, and check each
+ *  hull.
+ *  \param[in] path of a format with a reader (see MeshFormat)
+ *  \throws CIDException with file, part and guarantee when one does not hold */
+void
+verifyMesh(const std::string& path,
+           const Verification& verification,
+           OutputFiles& outputs);
+
+/** \brief The same for the folder with a mesh for each part.
+ *  \param[in] scene says where the meshes have their origin, and their format */
+void
+verifyParts(const std::string& folder,
+            const SceneDescription& scene,
+            const Verification& verification,
+            OutputFiles& outputs);
+
+} // namespace pcl_cid::tools

@@ -1,0 +1,68 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * All hulls in one mesh file, in the format that its extension says.
+ */
+
+#include "mesh_output.h"
+
+#include "run/words.h"
+
+#include <pcl_cid/core/hull_guarantees.h>
+#include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/mesh_formats.h>
+
+#include <ostream>
+
+namespace pcl_cid::tools {
+namespace {
+
+std::vector<std::string>
+extensionsOfDouble()
+{
+  std::vector<std::string> extensions;
+  for (const MeshFormat& format : meshFormats())
+    if (!format.is_float)
+      extensions.insert(
+          extensions.end(), format.extensions.begin(), format.extensions.end());
+  return extensions;
+}
+
+/** STL holds float and has no pose: far from the origin, thin hulls fall flat in it. */
+void
+requireThickInFloat(const std::string& path,
+                    const MeshFormat& format,
+                    const std::vector<ConvexPart>& parts)
+{
+  constexpr double share = 0.25; // of the thickness that rounding may take
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (floatRounding(parts[i].hull) > share * parts[i].thickness)
+      throw CIDException(path + ": " + format.name +
+                         " rounds coordinates to float, in which the hull of " +
+                         partName(i) +
+                         " would lose its shape so far from the origin; choose " +
+                         alternatives(extensionsOfDouble()) +
+                         ", or --parts-dir with --parts-format stl beside them");
+}
+
+} // namespace
+
+void
+saveMesh(const std::string& path,
+         const std::vector<ConvexPart>& parts,
+         OutputFiles& outputs)
+{
+  const MeshFormat& format = meshFormatOf(path);
+  if (format.is_float)
+    requireThickInFloat(path, format, parts);
+  outputs.write(path, [&](std::ostream& stream) { writeMesh(stream, parts, path); });
+  if (const std::string materials = materialsBeside(path); !materials.empty())
+    outputs.write(materials,
+                  [&](std::ostream& stream) { writeMaterials(stream, parts, path); });
+}
+
+} // namespace pcl_cid::tools

@@ -1,0 +1,29 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * All hulls in one mesh file, in the format that its extension says.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/io/output_files.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+/** \brief Write a mesh, and the file of colors beside it where its format has one.
+ *  \param[in] path was announced, with its file of colors (see materialsBeside())
+ *  \param[in] parts in the frame of the file
+ *  \throws CIDException when the format would round a hull out of its shape */
+void
+saveMesh(const std::string& path,
+         const std::vector<ConvexPart>& parts,
+         OutputFiles& outputs);
+
+} // namespace pcl_cid::tools

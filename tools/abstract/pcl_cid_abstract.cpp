@@ -1,0 +1,226 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * pcl_cid_abstract: a scan as convex hulls of its approximately convex parts.
+ */
+
+#include "abstract_settings.h"
+#include "hull_verification.h"
+#include "mesh_output.h"
+#include "run/loaded_scan.h"
+#include "run/run.h"
+#include "run/words.h"
+#include "tightness_curve.h"
+
+#include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/io/mesh_export.h>
+
+#include <ostream>
+
+namespace {
+
+using namespace pcl_cid;
+using namespace pcl_cid::tools;
+
+using Abstraction = CIDConvexAbstraction<pcl::PointXYZ>;
+
+void
+configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
+{
+  if (settings.parts)
+    abstraction.setNumberOfParts(*settings.parts);
+  if (settings.threshold)
+    abstraction.setMergeThreshold(*settings.threshold);
+  if (settings.merges)
+    abstraction.setNumberOfMerges(*settings.merges);
+  abstraction.setGroupSampleSize(settings.group_samples);
+  abstraction.setMinPoints(settings.min_points);
+  abstraction.setHullOptions(settings.hulls);
+  abstraction.setMaxVertices(
+      settings.max_vertices.value_or(setting::max_vertices.initial));
+  abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
+}
+
+/** What became of the scan. */
+struct AbstractedScan {
+  std::vector<ConvexPart> parts;
+  MergeTree tree;
+  ConvexPartOptions hull_options;
+  std::size_t dropped_points = 0;
+  std::vector<CurvePoint> curve;
+};
+
+/** How tightly the hulls fit, for the report, and over all cuts, when asked for. */
+void
+measureTightness(const AbstractSettings& settings,
+                 Abstraction& abstraction,
+                 Run& run,
+                 AbstractedScan& result)
+{
+  if (settings.report.empty() && settings.curve.empty())
+    return;
+  run.begin("Measuring hulls");
+  TightnessOptions options;
+  options.free_distance = settings.free_distance;
+  options.execution = {settings.threads, run.console.progress()};
+  const TightnessMeter meter(abstraction.getPreparedScan(), options);
+  run.report.tightness = meter.measure(result.parts);
+  if (!settings.curve.empty())
+    result.curve = tightnessCurve(meter, abstraction);
+  run.end(percent(run.report.tightness->all.free_share) + " free space", "tightness");
+}
+
+/** The parts that the merge tree is cut into, and their hulls. */
+void
+decompose(Abstraction& abstraction, Run& run, AbstractedScan& result)
+{
+  run.begin("Decomposing");
+  std::vector<pcl::PointIndices> parts;
+  abstraction.segment(parts);
+  result.tree = abstraction.getMergeTree();
+  run.end(std::to_string(abstraction.getProposal().seeds.size()) + " groups, " +
+              std::to_string(parts.size()) + " parts",
+          "decompose");
+  run.begin("Computing hulls");
+  abstraction.reconstruct(result.tree.cut(abstraction.getMergeCut()), result.parts);
+  run.end(std::to_string(result.parts.size()) + " hulls", "hulls");
+  result.hull_options = abstraction.getHullOptions();
+  result.dropped_points = abstraction.getNumberOfDroppedPoints();
+}
+
+AbstractedScan
+abstract(const AbstractSettings& settings, const LoadedScan& scan, Run& run)
+{
+  Abstraction abstraction;
+  configure(settings, scan, run.console, abstraction);
+  configureMerging(settings, abstraction);
+  abstraction.setInputCloud(scan.points.points);
+  AbstractedScan result;
+  decompose(abstraction, run, result);
+  run.report.parameters = parametersOf(settings, abstraction);
+  describeDensity(abstraction.getDensityDecision(), run);
+  describeBlindSpot(abstraction.getBlindSpot(), scan.points.frame, run);
+  describeProposal(abstraction.getProposal(), scan.points, run.report);
+  measureTightness(settings, abstraction, run, result);
+  moveToFile(scan.points.frame, result.parts);
+  return result;
+}
+
+void
+printParts(const AbstractedScan& result, const Console& console)
+{
+  double volume = 0.0;
+  std::size_t thickened = 0;
+  std::size_t boxed = 0;
+  std::size_t trimmed = 0;
+  for (const ConvexPart& part : result.parts) {
+    trimmed += part.trimmed.size();
+    volume += part.volume;
+    thickened += part.thickened ? 1 : 0;
+    boxed += part.boxed ? 1 : 0;
+  }
+  console.value("Volume", shortNumber(volume) + " cubic metres");
+  console.value("Thickened", std::to_string(thickened));
+  if (boxed > 0)
+    console.value("Boxes instead of hulls", std::to_string(boxed));
+  if (trimmed > 0)
+    console.value("Stray points trimmed", std::to_string(trimmed));
+  if (result.dropped_points > 0)
+    console.value("Points in parts that were dropped, not covered",
+                  std::to_string(result.dropped_points));
+}
+
+/** Tell the user and the report about the parts, which must outlive the report. */
+void
+describe(const AbstractSettings& settings, const AbstractedScan& result, Run& run)
+{
+  for (const Report::Parameter& each : partParametersOf(settings))
+    run.report.parameters.push_back(each);
+  run.report.parts = &result.parts;
+  run.report.dropped_points = result.dropped_points;
+  run.console.value("Coverage", shortNumber(run.report.coverage.back()) + " metres");
+  printParts(result, run.console);
+  if (run.report.tightness)
+    run.console.value("Hull concavity",
+                      shortNumber(run.report.tightness->all.max_concavity) +
+                          " metres, mean " +
+                          shortNumber(run.report.tightness->all.mean_concavity));
+}
+
+void
+writeLabels(const AbstractSettings& settings,
+            const std::vector<ConvexPart>& parts,
+            LabelledCloud& cloud,
+            OutputFiles& outputs)
+{
+  std::vector<std::uint32_t> labels(cloud.size(), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const pcl::index_t point : parts[i].indices)
+      labels[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(i + 1);
+  setLabels(labels, settings.label_type, cloud);
+  writeScan(settings.labels, cloud, outputs);
+}
+
+SceneDescription
+save(const AbstractSettings& settings,
+     const AbstractedScan& result,
+     LabelledCloud& cloud,
+     Run& run)
+{
+  run.begin("Saving " + settings.output);
+  saveMesh(settings.output, result.parts, run.outputs);
+  if (!settings.labels.empty())
+    writeLabels(settings, result.parts, cloud, run.outputs);
+  if (!settings.tree.empty())
+    run.outputs.write(settings.tree,
+                      [&](std::ostream& s) { s << toJson(result.tree); });
+  if (!settings.curve.empty())
+    run.outputs.write(settings.curve,
+                      [&](std::ostream& s) { writeCurve(s, result.curve); });
+  const SceneDescription scene = writeScenes(settings.scenes, result.parts, run);
+  run.end(std::to_string(result.parts.size()) + " parts", "save");
+  return scene;
+}
+
+/** Check what hulls guarantee on the meshes as they are on the disk. */
+void
+verify(const AbstractSettings& settings,
+       const Verification& verification,
+       const SceneDescription& scene,
+       Run& run)
+{
+  run.begin("Verifying " + settings.output);
+  verifyMesh(settings.output, verification, run.outputs);
+  if (const std::string folder = settings.scenes.partsFolder(); !folder.empty())
+    verifyParts(folder, scene, verification, run.outputs);
+  run.end("all guarantees hold", "verify");
+}
+
+void
+runAbstract(const AbstractSettings& settings)
+{
+  Run run(abstract_tool, settings.quiet, inputFiles(settings));
+  announceOutputs(settings, run.outputs);
+  LoadedScan scan = loadScan(settings, run);
+  const AbstractedScan result = abstract(settings, scan, run);
+  describe(settings, result, run);
+  const SceneDescription scene = save(settings, result, scan.cloud, run);
+  if (settings.verify)
+    verify(settings, {result.parts, scan.points, result.hull_options}, scene, run);
+  run.finish(settings.report);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  return runTool(abstract_tool, [&] {
+    AbstractSettings settings;
+    if (readCommandLine(argc, argv, settings))
+      runAbstract(settings);
+  });
+}

@@ -1,0 +1,40 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * How tightly hulls fit, over the cuts of a merge tree.
+ */
+
+#pragma once
+
+#include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/core/hull_tightness.h>
+
+#include <iosfwd>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+/** \brief One cut of the merge tree. */
+struct CurvePoint {
+  std::size_t parts;
+  double height; ///< of the last merge, metres; 0 when there is none
+  std::size_t vertices;
+  Tightness tightness;
+};
+
+/** \brief Some cuts from all groups to one part, each with about a sixth fewer parts
+ *  than the one before.
+ *  \param[in,out] abstraction its last tree is whole */
+std::vector<CurvePoint>
+tightnessCurve(const TightnessMeter& meter,
+               CIDConvexAbstraction<pcl::PointXYZ>& abstraction);
+
+/** \brief As CSV: parts,height,vertices,max_concavity,mean_concavity,free_share,
+ *  free_volume,volume. */
+void
+writeCurve(std::ostream& stream, const std::vector<CurvePoint>& curve);
+
+} // namespace pcl_cid::tools

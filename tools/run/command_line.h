@@ -1,0 +1,217 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Command lines: options declared once feed the parser, the checks and the help.
+ */
+
+#pragma once
+
+#include <pcl_cid/core/settings.h>
+
+#include <charconv>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <boost/program_options/options_description.hpp>
+
+namespace pcl_cid::tools {
+
+/** \brief The command line is wrong; the message is one sentence. */
+class UsageError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief Refuse a file name with another extension.
+ *  \param[in] name what the user calls the file: OUTPUT, --labels
+ *  \param[in] extensions in small letters, with the dot
+ *  \throws UsageError */
+void
+requireExtension(const std::string& name,
+                 const std::string& path,
+                 const std::vector<std::string>& extensions);
+
+/** \brief The name of a row as an option: "start-index" for "start_index". */
+std::string
+optionName(const std::string& row);
+
+template <typename Row>
+std::string
+optionName(const Row& row)
+{
+  return optionName(std::string(row.name));
+}
+
+/** \brief The options of all settings in a group of the table. */
+std::vector<std::string>
+optionsOf(const std::string& group);
+
+/** \brief The options of a tool.
+ *
+ *  Each is bound to a variable, whose value at that time is the default. Name, limits
+ *  and help of a setting come from its row in the table (see settings.h). */
+class CommandLine {
+public:
+  /** \param[in] usage what follows the tool's name, a line for each form
+   *  \param[in] about what the tool does */
+  CommandLine(std::string tool, std::string usage, std::string about);
+
+  /** \brief Options that follow stand below this headline in the help. */
+  void
+  group(const std::string& headline);
+
+  void
+  flag(const std::string& name, bool& target, const std::string& help);
+
+  /** \brief `--help` and `--version`, which parse() answers. */
+  void
+  helpOptions();
+
+  void
+  text(const std::string& name,
+       const std::string& placeholder,
+       std::string& target,
+       const std::string& help);
+
+  /** \brief One of several words. */
+  void
+  word(const std::string& name,
+       const std::string& placeholder,
+       const std::vector<std::string>& words,
+       std::string& target,
+       const std::string& help);
+
+  /** \brief A number.
+   *  \param[in] note what there is to say about it in this tool, for the help */
+  template <typename Value, typename Number>
+  void
+  setting(const NumberSetting<Value>& row, Number& target, const std::string& note = "")
+  {
+    std::ostringstream with_default;
+    with_default << helpOf(row, note);
+    if (row.zero)
+      with_default << "; 0 " << row.zero;
+    with_default << "; default " << target;
+    option(
+        optionName(row),
+        row.placeholder,
+        with_default.str(),
+        [=, &target](const std::string& text) { target = parse<Number>(row, text); });
+  }
+
+  /** \brief A number that is left out where another setting would be 0: it cannot be
+   *  given as 0 unless that is in its range. */
+  template <typename Value, typename Number>
+  void
+  optional(const NumberSetting<Value>& row,
+           std::optional<Number>& target,
+           const std::string& note = "")
+  {
+    option(optionName(row),
+           row.placeholder,
+           helpOf(row, note),
+           [row = row.withoutZero(), &target](const std::string& text) {
+             target = parse<Number>(row, text);
+           });
+  }
+
+  /** \brief One of the words of a row. */
+  template <typename Value, std::size_t Count>
+  void
+  choice(const ChoiceSetting<Value, Count>& row, Value& target)
+  {
+    std::vector<std::string> words;
+    for (const auto& each : row.words)
+      words.emplace_back(each.word);
+    choose(optionName(row),
+           row.placeholder,
+           words,
+           std::string(row.meaning) + "; default " + row.wordOf(target),
+           [=, &target](const std::string& word) { target = *row.valueOf(word); });
+  }
+
+  /** \brief Refuse the first option together with any of the others. */
+  void
+  exclude(const std::string& name, const std::vector<std::string>& others);
+
+  /** \brief Refuse the first option where none of the others is given: it would have no
+   *  effect. */
+  void
+  require(const std::string& name, const std::vector<std::string>& others);
+
+  /** \brief Read a command line, or answer `--help` and `--version`, wherever they
+   *  stand.
+   *  \param[out] files what is not an option, exactly as many as asked for
+   *  \param[in] names what the user calls them
+   *  \return whether there is work to do
+   *  \throws UsageError */
+  bool
+  parse(int argc,
+        const char* const* argv,
+        std::vector<std::string*> files,
+        const std::string& names = "INPUT and OUTPUT");
+
+private:
+  using Take = std::function<void(const std::string&)>;
+
+  void
+  option(const std::string& name,
+         const std::string& placeholder,
+         const std::string& help,
+         const Take& take);
+
+  /** An option that takes one of the words and nothing else. */
+  void
+  choose(const std::string& name,
+         const std::string& placeholder,
+         const std::vector<std::string>& words,
+         const std::string& help,
+         const Take& take);
+
+  void
+  checkCombinations(const std::function<bool(const std::string&)>& is_given) const;
+
+  void
+  printHelp() const;
+
+  /** "grow hulls outward by this, metres; the note". */
+  template <typename Value>
+  static std::string
+  helpOf(const NumberSetting<Value>& row, const std::string& note)
+  {
+    std::string help = row.meaning;
+    if (*row.unit)
+      help += std::string(", ") + row.unit;
+    return note.empty() ? help : help + "; " + note;
+  }
+
+  template <typename Number, typename Value>
+  static Number
+  parse(const NumberSetting<Value>& row, const std::string& text)
+  {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || rest != end || !row.allows(number))
+      throw UsageError("--" + optionName(row) + " is '" + text + "'; it must be " +
+                       rangeOf(row));
+    return number;
+  }
+
+  std::string tool_;
+  std::string usage_;
+  std::string about_;
+  std::vector<boost::program_options::options_description> groups_;
+  std::vector<std::pair<std::string, std::string>> exclusive_;
+  std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;
+};
+
+} // namespace pcl_cid::tools

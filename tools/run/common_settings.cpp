@@ -1,0 +1,102 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The settings that pcl_cid_segment and pcl_cid_abstract have in common.
+ */
+
+#include "common_settings.h"
+
+#include "console.h"
+#include "loaded_scan.h"
+#include "parameter.h"
+
+namespace pcl_cid::tools {
+
+int
+Settings::numberOfSeeds(std::size_t points) const
+{
+  if (seeds)
+    return *seeds;
+  return coverage ? static_cast<int>(points) : setting::seeds.initial;
+}
+
+void
+declareSeedOptions(Settings& settings, CommandLine& line)
+{
+  line.group(setting::seeds.group);
+  line.optional(setting::seeds,
+                settings.seeds,
+                "default " + std::to_string(setting::seeds.initial) +
+                    ", or as many as --coverage needs");
+  line.optional(
+      setting::coverage, settings.coverage, "with --seeds, whichever comes first");
+  line.setting(setting::samples, settings.samples);
+  line.setting(setting::subsample, settings.subsample);
+  line.setting(setting::random_seed, settings.random_seed);
+  line.optional(setting::start_index, settings.start_index);
+  declareRawScanOptions(settings.raw_scan, line);
+}
+
+void
+declareClassTable(std::string& class_table, CommandLine& line)
+{
+  line.text("class-table",
+            "FILE.tsv",
+            class_table,
+            "ScanNet's scannetv2-labels.combined.tsv, when INPUT is a scan of "
+            "ScanNet; default: looked for in INPUT and the folders above it");
+}
+
+void
+declareRunOptions(Settings& settings, CommandLine& line)
+{
+  line.group(setting::threads.group);
+  declareClassTable(settings.class_table, line);
+  line.choice(label_type_setting, settings.label_type);
+  line.setting(setting::threads, settings.threads);
+  line.text("report",
+            "FILE.json",
+            settings.report,
+            "write what was done, and how long it took");
+  line.flag("quiet", settings.quiet, "print nothing but errors");
+  line.helpOptions();
+}
+
+void
+configure(const Settings& settings,
+          const LoadedScan& scan,
+          Console& console,
+          CIDParameters& parameters)
+{
+  parameters.setNumberOfSeeds(settings.numberOfSeeds(scan.cloud.size()));
+  parameters.setCoverage(static_cast<float>(settings.coverage.value_or(0.0)));
+  parameters.setNumberOfSamples(settings.samples);
+  parameters.setSubsample(settings.subsample);
+  parameters.setRandomSeed(settings.random_seed);
+  if (settings.start_index)
+    parameters.setStartIndex(*settings.start_index);
+  configureForRawScan(settings.raw_scan, scan.cloud, parameters);
+  parameters.setNumberOfThreads(settings.threads);
+  parameters.setProgressCallback(console.progress());
+}
+
+std::vector<Report::Parameter>
+parametersOf(const Settings& settings, const CIDParameters& parameters)
+{
+  std::vector<Report::Parameter> list{
+      parameter(setting::seeds, parameters.getNumberOfSeeds()),
+      parameter(setting::coverage, settings.coverage),
+      parameter(setting::samples, parameters.getNumberOfSamples()),
+      parameter(setting::subsample, parameters.getSubsample()),
+      parameter(setting::random_seed, parameters.getRandomSeed()),
+      parameter(setting::start_index, settings.start_index),
+      parameter(setting::threads, parameters.getNumberOfThreads())};
+  for (Report::Parameter& each : parametersOf(settings.raw_scan))
+    list.push_back(std::move(each));
+  return list;
+}
+
+} // namespace pcl_cid::tools

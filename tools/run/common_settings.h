@@ -1,0 +1,88 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The settings that pcl_cid_segment and pcl_cid_abstract have in common.
+ */
+
+#pragma once
+
+#include "command_line.h"
+#include "raw_scan_options.h"
+
+#include <pcl_cid/cid_parameters.h>
+#include <pcl_cid/core/settings.h>
+#include <pcl_cid/io/labelled_cloud.h>
+#include <pcl_cid/io/report.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+class Console;
+struct LoadedScan;
+
+/** \brief The row of `--label-type`. */
+inline constexpr ChoiceSetting<LabelType, 3> label_type_setting{
+    "Run",
+    "label_type",
+    "TYPE",
+    LabelType::U4,
+    {{{"U4", LabelType::U4}, {"I4", LabelType::I4}, {"F4", LabelType::F4}}},
+    "type of the label field that is written: U4, I4 or F4"};
+
+/** \brief Settings that both tools have; what is not asked for is empty. */
+struct Settings {
+  std::string input;
+  std::string output;
+  std::string class_table; ///< of ScanNet; empty: looked for
+  std::optional<int> seeds;
+  std::optional<double> coverage;
+  int samples = setting::samples.initial;
+  int subsample = setting::subsample.initial;
+  std::uint64_t random_seed = setting::random_seed.initial;
+  std::optional<int> start_index;
+  RawScanOptions raw_scan;
+  unsigned int threads = setting::threads.initial;
+  LabelType label_type = label_type_setting.initial;
+  std::string report;
+  bool quiet = false;
+
+  /** \brief K: without `--seeds`, what `--coverage` needs, else the default. */
+  int
+  numberOfSeeds(std::size_t points) const;
+};
+
+/** \brief Declare the options that say how seeds are proposed, those for raw scans
+ *  among them. */
+void
+declareSeedOptions(Settings& settings, CommandLine& line);
+
+/** \brief Declare `--class-table`, for an INPUT that may be a scan of ScanNet. */
+void
+declareClassTable(std::string& class_table, CommandLine& line);
+
+/** \brief Declare the options that stand last: class table, label type, threads,
+ *  report, quiet. */
+void
+declareRunOptions(Settings& settings, CommandLine& line);
+
+/** \brief Hand the settings on to a class of the library.
+ *  \throws CIDException when colors are wanted that the cloud does not have */
+void
+configure(const Settings& settings,
+          const LoadedScan& scan,
+          Console& console,
+          CIDParameters& parameters);
+
+/** \brief The settings as they were used, for the report. */
+std::vector<Report::Parameter>
+parametersOf(const Settings& settings, const CIDParameters& parameters);
+
+} // namespace pcl_cid::tools

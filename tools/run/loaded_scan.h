@@ -1,0 +1,44 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The input of a run: its cloud, and the coordinates that are worked on.
+ */
+
+#pragma once
+
+#include "run.h"
+
+#include <pcl_cid/io/cloud_points.h>
+#include <pcl_cid/io/labelled_cloud.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+struct Settings;
+
+/** \brief A scan as it was read. */
+struct LoadedScan {
+  LabelledCloud cloud;
+  CloudPoints points;
+};
+
+/** \brief The files of the input, which outputs must never be written over. */
+std::vector<std::string>
+inputFiles(const Settings& settings);
+
+/** \brief Load the input, with messages; remarks on it go to the user and the report.
+ *  \throws CIDException when it has no finite point */
+LoadedScan
+loadScan(const Settings& settings, Run& run);
+
+/** \brief Write a cloud in the format that the extension of a file says.
+ *  \param[in] path was announced */
+void
+writeScan(const std::string& path, const LabelledCloud& cloud, OutputFiles& outputs);
+
+} // namespace pcl_cid::tools

@@ -1,0 +1,29 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Numbers and lists as the tools print them.
+ */
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pcl_cid::tools {
+
+/** \brief ".obj, .ply or .stl". */
+std::string
+alternatives(const std::vector<std::string>& words);
+
+/** \brief A number for the user, with 4 digits. */
+std::string
+shortNumber(double value);
+
+/** \brief "91.25 %". */
+std::string
+percent(double share);
+
+} // namespace pcl_cid::tools

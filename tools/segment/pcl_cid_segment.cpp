@@ -1,0 +1,158 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * pcl_cid_segment: labels of a few seeds, or groups, for all points of a scan.
+ */
+
+#include "heat_map.h"
+#include "run/loaded_scan.h"
+#include "run/run.h"
+#include "run/words.h"
+#include "scannet_outputs.h"
+#include "segment_settings.h"
+
+#include <pcl_cid/cid_label_propagation.h>
+#include <pcl_cid/io/scan_source.h>
+#include <pcl_cid/io/seed_table.h>
+
+#include <ostream>
+
+namespace {
+
+using namespace pcl_cid;
+using namespace pcl_cid::tools;
+
+/** What the fields of the scan say, as far as it is asked for. */
+SegmentedScan
+withTruth(const SegmentSettings& settings, const LoadedScan& scan)
+{
+  SegmentedScan result;
+  result.name = scanName(settings.input);
+  if (!settings.labels_from.empty())
+    result.true_labels = labelsOf(scan.cloud, settings.labels_from, scan.points);
+  if (!settings.scannet.submission.empty())
+    result.true_classes = labelsOf(scan.cloud, "semantic", scan.points);
+  return result;
+}
+
+/** Those of the table, of the field, or else the numbers of the groups + 1. */
+std::vector<std::uint32_t>
+labelsOfSeeds(const SegmentSettings& settings,
+              const CIDLabelPropagation<pcl::PointXYZ>& propagation,
+              const std::vector<std::uint32_t>& truth)
+{
+  const pcl::Indices& seeds = propagation.getProposal().seeds;
+  std::vector<std::uint32_t> labels;
+  for (std::size_t k = 0; k < seeds.size(); ++k)
+    labels.push_back(!settings.labels.empty() ? propagation.getSeedLabels()[k]
+                     : !truth.empty() ? truth[static_cast<std::size_t>(seeds[k])]
+                                      : static_cast<std::uint32_t>(k + 1));
+  return labels;
+}
+
+/** Label all points of a scan, and say what there is to say about it. */
+void
+propagateLabels(const SegmentSettings& settings,
+                const LoadedScan& scan,
+                Run& run,
+                SegmentedScan& result)
+{
+  const std::vector<std::uint32_t>& truth = result.true_labels;
+  CIDLabelPropagation<pcl::PointXYZ> propagation;
+  configure(settings, scan, run.console, propagation);
+  propagation.setInputCloud(scan.points.points);
+  if (!settings.labels.empty()) {
+    const SeedTable table = readSeedTable(settings.labels, scan.points);
+    propagation.setSeeds(table.seeds, table.labels);
+  }
+  if (!truth.empty())
+    propagation.setAnnotator(
+        [&](pcl::index_t seed) { return truth[static_cast<std::size_t>(seed)]; });
+
+  run.begin("Segmenting");
+  propagation.segment(result.labels);
+  const SeedProposal& proposal = propagation.getProposal();
+  run.end(std::to_string(proposal.seeds.size()) + " seeds", "segment");
+  run.report.parameters = parametersOf(settings, propagation);
+  describeDensity(propagation.getDensityDecision(), run);
+  describeBlindSpot(propagation.getBlindSpot(), scan.points.frame, run);
+  describeProposal(proposal, scan.points, run.report);
+  run.report.seed_labels = labelsOfSeeds(settings, propagation, truth);
+  result.group = proposal.group;
+}
+
+void
+printScore(const LabelScore& score, const Console& console)
+{
+  console.value("Right labels",
+                percent(score.share()) + " of " + std::to_string(score.points) +
+                    " finite points");
+  console.value("Right labels where the true one is not 0",
+                percent(score.shareOfLabelled()) + " of " +
+                    std::to_string(score.labelled_points));
+}
+
+void
+describe(const SegmentSettings& settings,
+         const LoadedScan& scan,
+         const SegmentedScan& result,
+         Run& run)
+{
+  for (const Report::Parameter& each : labelParametersOf(settings))
+    run.report.parameters.push_back(each);
+  run.console.value("Coverage", shortNumber(run.report.coverage.back()) + " metres");
+  if (result.true_labels.empty())
+    return;
+  run.report.score =
+      scoreLabels(settings.labels_from, result.labels, result.true_labels, scan.points);
+  printScore(*run.report.score, run.console);
+}
+
+void
+save(const SegmentSettings& settings,
+     const SegmentedScan& result,
+     LoadedScan& scan,
+     Run& run)
+{
+  run.begin("Saving " + settings.output);
+  setLabels(result.labels, settings.label_type, scan.cloud);
+  writeScan(settings.output, scan.cloud, run.outputs);
+  if (!settings.propose.empty())
+    run.outputs.write(settings.propose, [&](std::ostream& stream) {
+      writeSeedTable(stream, run.report.seeds, scan.points);
+    });
+  writeScannetOutputs(settings.scannet, result, run.console, run.outputs);
+  run.end(std::to_string(scan.cloud.size()) + " points", "save");
+}
+
+void
+segment(const SegmentSettings& settings)
+{
+  Run run(segment_tool, settings.quiet, inputsOf(settings));
+  announceOutputs(settings, run.outputs);
+  LoadedScan scan = loadScan(settings, run);
+  SegmentedScan result = withTruth(settings, scan);
+  propagateLabels(settings, scan, run, result);
+  describe(settings, scan, result, run);
+  save(settings, result, scan, run);
+  run.finish(settings.report);
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  return runTool(segment_tool, [&] {
+    SegmentSettings settings;
+    if (!readCommandLine(argc, argv, settings))
+      return;
+    if (settings.cid_from)
+      writeHeatMap(segment_tool, settings, *settings.cid_from);
+    else
+      segment(settings);
+  });
+}
