@@ -86,12 +86,13 @@ readHulls(const std::string& path,
 std::vector<Eigen::Vector3d>
 pointsOf(const ConvexPart& part, const CloudPoints& points, const Frame& mesh_frame)
 {
-  const Frame from_mesh{mesh_frame.toLocalDouble(points.frame.origin)};
+  const Frame from_mesh{mesh_frame.toLocal(points.frame.origin)};
   std::vector<Eigen::Vector3d> inside;
   inside.reserve(part.indices.size());
   for (const pcl::index_t index : part.indices)
-    inside.push_back(from_mesh.toFile(
-        (*points.points)[static_cast<std::size_t>(index)].getVector3fMap()));
+    inside.push_back(from_mesh.toFile((*points.points)[static_cast<std::size_t>(index)]
+                                          .getVector3fMap()
+                                          .cast<double>()));
   return inside;
 }
 

@@ -66,7 +66,7 @@ heatMap(const CloudPoints& cloud,
   run.end(std::to_string(finite.size()) + " finite points", "prepare");
 
   run.begin("Measuring");
-  const Eigen::Vector3f p = finite.frame.toLocal(from.cast<double>());
+  const Eigen::Vector3f p = finite.frame.toLocal(from.cast<double>()).cast<float>();
   const std::vector<float> cids =
       cidFrom(field, p, finite.points, settings.samples, execution);
   std::vector<float> values(cloud.points->size(),

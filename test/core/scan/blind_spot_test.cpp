@@ -10,13 +10,15 @@
 #include "clouds.h"
 #include "lidar_scan.h"
 #include "oracle.h"
+#include "prepared_points.h"
 #include "scan/blind_spot.h"
+#include "scan/local_spacing.h"
 
 #include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/exceptions.h>
 
 #include <limits>
-#include <numeric>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -225,22 +227,26 @@ protected:
   {
     LidarOptions coarse;
     coarse.step = 6.0f;
-    scan_.points.points = lidarScan(coarse);
-    scan_.points.source.resize(scan_.points.size());
-    std::iota(scan_.points.source.begin(), scan_.points.source.end(), 0);
+    scan_ = rawScan(lidarScan(coarse));
     scan_.sensor = SensorPose();
-    parameters_.setNumberOfSeeds(12);
-    parameters_.setNumberOfSamples(24);
   }
 
-  Preparation
-  ready() const
+  PreparedScan::ConstPtr
+  ready(const ExecutionOptions& execution = {}) const
   {
-    return prepare(scan_, {}, parameters_, {});
+    return std::make_shared<const PreparedScan>(scan_, settings_, execution);
+  }
+
+  static SeedProposal
+  propose(const PreparedScan::ConstPtr& scan, const ExecutionOptions& execution = {})
+  {
+    Grouping grouping(scan, {24, SeedingRule::farthest, true});
+    grouping.propose(12, 0.0f, execution);
+    return grouping.proposal();
   }
 
   RawScan scan_;
-  CIDParameters parameters_;
+  PreparationSettings settings_;
 };
 
 /// The filling is of the surface, and of nothing else: seeds and groups are those that
@@ -251,31 +257,31 @@ TEST_F(PreparationWithBlindSpot, ItsSurfaceIsThatOfTheOracle)
   ASSERT_TRUE(spot);
   const Points surface = joined(scan_.points.points, spot->filling);
   for (const DensityWeight weight : {DensityWeight::off, DensityWeight::on}) {
-    parameters_.setDensityWeight(weight);
-    const Preparation prepared = ready();
-    ASSERT_TRUE(prepared.blind_spot);
-    EXPECT_EQ(prepared.blind_spot->points, spot->filling.size());
-    EXPECT_EQ(prepared.working->points(), scan_.points.points);
-    EXPECT_EQ(prepared.working->field().size(), surface.size());
+    settings_.density = weight;
+    const PreparedScan::ConstPtr prepared = ready();
+    ASSERT_TRUE(prepared->blindSpot());
+    EXPECT_EQ(prepared->blindSpot()->points, spot->filling.size());
+    EXPECT_EQ(prepared->working().points(), scan_.points.points);
+    EXPECT_EQ(prepared->field().size(), surface.size());
 
+    PairCosts costs;
+    if (weight == DensityWeight::on)
+      costs.spacing = localSpacing(NearestNeighbors(scan_.points.points, {}),
+                                   settings_.density_power);
     SeedProposalOptions options;
     options.seeds = 12;
     options.samples = 24;
-    options.costs = prepared.pairCosts();
-    options.isolated = prepared.isolated;
-    const SeedProposal proposal = propose(prepared, parameters_, true, {}, "test");
+    options.costs = weight == DensityWeight::on ? &costs : nullptr;
+    options.isolated = prepared->isolated();
+    const SeedProposal proposal = propose(prepared);
     expectAgreesWithAlgorithm1(proposal, surface, scan_.points.points, options);
-    expectSameProposal(proposal,
-                       proposeByAllPairs(prepared.working->field(),
-                                         scan_.points.points,
-                                         proposal.seeds.front(),
-                                         options));
+    expectSameProposal(
+        proposal,
+        proposeByAllPairs(
+            prepared->field(), scan_.points.points, proposal.seeds.front(), options));
     for (const unsigned int threads : {1u, 2u, 3u, 8u}) {
-      ExecutionOptions execution;
-      execution.threads = threads;
-      const Preparation again = prepare(scan_, {}, parameters_, execution);
-      expectSameProposal(proposal,
-                         propose(again, parameters_, true, execution, "test"));
+      const ExecutionOptions execution{threads, {}};
+      expectSameProposal(proposal, propose(ready(execution), execution));
     }
   }
 }
@@ -283,36 +289,38 @@ TEST_F(PreparationWithBlindSpot, ItsSurfaceIsThatOfTheOracle)
 /// Points that were not drawn follow one that was, never one of the filling.
 TEST_F(PreparationWithBlindSpot, SubsamplesFollowTheirOwnPoints)
 {
-  parameters_.setSubsample(300);
-  const Preparation prepared = ready();
-  ASSERT_TRUE(prepared.blind_spot);
-  const WorkingSet& working = *prepared.working;
-  const SeedProposal proposal = propose(prepared, parameters_, false, {}, "test");
-  const SeedProposal carried = working.carryOn(proposal, scan_.points.size());
+  settings_.subsample = 300;
+  const PreparedScan::ConstPtr prepared = ready();
+  ASSERT_TRUE(prepared->blindSpot());
+  const Points& working = prepared->working().points();
+  Grouping grouping(prepared, {24, SeedingRule::farthest, false});
+  grouping.propose(12);
+  const std::vector<pcl::index_t> group = grouping.groupsOfWorkingPoints();
+  const std::vector<pcl::index_t> carried = grouping.groups();
   for (std::size_t i = 0; i < scan_.points.size(); ++i) {
     const Eigen::Vector3f& p = scan_.points.points[i];
     float near = std::numeric_limits<float>::infinity();
     pcl::index_t expected = -1;
-    for (std::size_t k = 0; k < working.points().size(); ++k)
-      if ((working.points()[k] - p).norm() < near) {
-        near = (working.points()[k] - p).norm();
-        expected = proposal.group[k];
+    for (std::size_t k = 0; k < working.size(); ++k)
+      if ((working[k] - p).norm() < near) {
+        near = (working[k] - p).norm();
+        expected = group[k];
       }
-    EXPECT_EQ(carried.group[i], expected) << i;
+    EXPECT_EQ(carried[i], expected) << i;
   }
 }
 
 TEST_F(PreparationWithBlindSpot, IsWithoutItWhereThatIsWanted)
 {
-  parameters_.setFillBlindSpot(false);
-  EXPECT_FALSE(ready().blind_spot);
-  parameters_.setFillBlindSpot(true);
-  EXPECT_TRUE(ready().blind_spot);
+  settings_.blind_spot = false;
+  EXPECT_FALSE(ready()->blindSpot());
+  settings_.blind_spot = true;
+  EXPECT_TRUE(ready()->blindSpot());
   scan_.sensor.reset();
-  EXPECT_FALSE(ready().blind_spot);
+  EXPECT_FALSE(ready()->blindSpot());
   scan_.sensor = SensorPose();
-  scan_.surface.given = scan_.points.points;
-  EXPECT_FALSE(ready().blind_spot);
+  scan_.surface = scan_.points.points;
+  EXPECT_FALSE(ready()->blindSpot());
 }
 
 } // namespace

@@ -33,7 +33,7 @@ twoParts()
   std::vector<ConvexPart> parts;
   for (const float shift : {0.0f, 5.0f}) {
     PointSet points;
-    points.origin = Eigen::Vector3d(500000.001, 4100000.001, 0.0);
+    points.frame.origin = Eigen::Vector3d(500000.001, 4100000.001, 0.0);
     pcl::Indices members;
     for (int corner = 0; corner < 8; ++corner) {
       points.points.emplace_back(shift + static_cast<float>(corner & 1),
