@@ -46,8 +46,8 @@ struct Work {
  *  \li `check`: not a measurement; LiteralMethod for some points and all seeds must
  *  find the groups that `segment` finds
  *  \li `handle`: labels and 30 hulls from the groups that CIDSampler has found
- *  \li `add`, `remove`: one seed joins, or leaves, a grouping with K seeds; the median of
- *  100 */
+ *  \li `add`, `remove`: one seed joins, or leaves, a grouping with K seeds; the median
+ * of 100 */
 bool
 isWork(const std::string& name);
 

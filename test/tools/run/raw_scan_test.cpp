@@ -10,6 +10,8 @@
 #include "lidar_scan.h"
 #include "tool_process.h"
 
+#include "scan/local_spacing.h"
+
 #include <pcl_cid/cid_label_propagation.h>
 
 #include <array>
