@@ -24,6 +24,17 @@
 namespace pcl_cid::test {
 namespace {
 
+/** What 0 means is a part of the meaning, unless the range says it. */
+template <typename Value>
+std::string
+withZero(const NumberSetting<Value>& setting)
+{
+  const bool is_in_range = setting.least <= Value{0};
+  return setting.zero && is_in_range
+             ? std::string(setting.meaning) + "; 0 " + setting.zero
+             : setting.meaning;
+}
+
 /** A row as text. */
 struct Row {
   std::string group;
@@ -47,7 +58,7 @@ rowOf(const NumberSetting<Value>& setting)
           initial.str(),
           rangeOf(setting),
           setting.unit,
-          setting.meaning};
+          withZero(setting)};
 }
 
 template <typename Value, std::size_t Count>
@@ -187,8 +198,10 @@ TEST(Settings, RefusalsSayNameValueAndRange)
       "to 1048576");
   expectContains(refusal(setting::subsample, -1),
                  "the subsample is -1; it must be a whole number, 0 or more");
-  expectContains(refusal(setting::coverage, -0.5f),
-                 "the coverage is -0.5; it must be a number of metres, 0 or more");
+  expectContains(
+      refusal(setting::coverage, -0.5f),
+      "the coverage is -0.5; it must be a number of metres above 0, or 0 for no "
+      "limit");
   expectContains(refusal(setting::density_power, 5.0f),
                  "the density power is 5; it must be a number, 0 to 4");
   expectContains(refusal(setting::max_vertices, 3),
