@@ -9,6 +9,6 @@
 
 #include <pcl_cid/impl/cid_base.hpp>
 
-#include <pcl/impl/instantiate.hpp>
+#include "point_types.h"
 
-PCL_INSTANTIATE(CIDBase, PCL_XYZ_POINT_TYPES)
+PCL_INSTANTIATE(CIDBase, PCL_CID_POINT_TYPES)

@@ -9,6 +9,6 @@
 
 #include <pcl_cid/impl/cid_sampler.hpp>
 
-#include <pcl/impl/instantiate.hpp>
+#include "point_types.h"
 
-PCL_INSTANTIATE(CIDSampler, PCL_XYZ_POINT_TYPES)
+PCL_INSTANTIATE(CIDSampler, PCL_CID_POINT_TYPES)

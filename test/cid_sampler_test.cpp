@@ -534,6 +534,9 @@ template <typename PointT>
 class CIDSamplerOfType : public testing::Test {
 };
 
+#ifdef PCL_CID_FEW_POINT_TYPES
+using XyzTypes = testing::Types<pcl::PointXYZRGBNormal>;
+#else
 using XyzTypes = testing::Types<pcl::PointXYZI,
                                 pcl::PointXYZRGBA,
                                 pcl::PointXYZRGBL,
@@ -541,6 +544,7 @@ using XyzTypes = testing::Types<pcl::PointXYZI,
                                 pcl::PointXYZRGBNormal,
                                 pcl::PointWithViewpoint,
                                 pcl::PointDEM>;
+#endif
 TYPED_TEST_SUITE(CIDSamplerOfType, XyzTypes);
 
 TYPED_TEST(CIDSamplerOfType, GivesTheSeedsOfPointXYZ)
