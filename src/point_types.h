@@ -15,8 +15,7 @@
 // All of PCL's with x, y and z; a few where a build only serves tests, since each takes
 // its time to compile.
 #ifdef PCL_CID_FEW_POINT_TYPES
-#define PCL_CID_POINT_TYPES                                                            \
-  (pcl::PointXYZ)(pcl::PointXYZRGB)(pcl::PointXYZRGBNormal)
+#define PCL_CID_POINT_TYPES (pcl::PointXYZ)(pcl::PointXYZRGB)(pcl::PointXYZRGBNormal)
 #else
 #define PCL_CID_POINT_TYPES PCL_XYZ_POINT_TYPES
 #endif
