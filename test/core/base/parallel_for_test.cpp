@@ -208,7 +208,9 @@ TEST(ThreadCount, IsThatOfTheSettingOrOfTheProcessorsThatMayBeUsed)
 Helpers&
 makeHelpers(Helpers::Starter start)
 {
-  return *new Helpers(std::move(start));
+  static auto* const all = new std::vector<Helpers*>; // within reach of leak checkers
+  all->push_back(new Helpers(std::move(start)));
+  return *all->back();
 }
 
 void
