@@ -7,6 +7,7 @@
  * Concavity-Induced Distance of two points and of two groups: Eq. 1 to 3.
  */
 
+#include "base/rounding.h"
 #include "base/sentence.h"
 #include "segment_search.h"
 
@@ -53,7 +54,7 @@ roundingSlack(const Eigen::Vector3f& p, const Eigen::Vector3f& q, float distance
 {
   const float magnitude =
       std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff()) + distance;
-  return 16.0f * std::numeric_limits<float>::epsilon() * magnitude;
+  return rounding::ofSample(magnitude);
 }
 
 /** The largest distance over the samples, best first: look next where a larger one is

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "base/rounding.h"
 #include <pcl_cid/core/point_set.h>
 
 #include <algorithm>
@@ -35,8 +36,6 @@ struct PairCost {
   float weight = 1.0f; ///< above 0
   float cue = 0.0f;    ///< metres, 0 or more
 
-  static constexpr float rounding = 4.0f * std::numeric_limits<float>::epsilon();
-
   float
   of(float cid) const
   {
@@ -48,8 +47,9 @@ struct PairCost {
   float
   cidBelow(float limit) const
   {
-    const float rest = limit * (1.0f - rounding) - cue * (1.0f + rounding);
-    return std::max(rest / weight * (1.0f - rounding), 0.0f);
+    const float rest =
+        limit * (1.0f - rounding::of_product) - cue * (1.0f + rounding::of_product);
+    return std::max(rest / weight * (1.0f - rounding::of_product), 0.0f);
   }
 
   /** \brief A CID that no pair of this cost exceeds: the inverse of of(), plus a slack
@@ -57,8 +57,9 @@ struct PairCost {
   float
   cidWithin(float cost) const
   {
-    const float rest = cost * (1.0f + rounding) - cue * (1.0f - rounding);
-    return rest / weight * (1.0f + rounding);
+    const float rest =
+        cost * (1.0f + rounding::of_product) - cue * (1.0f - rounding::of_product);
+    return rest / weight * (1.0f + rounding::of_product);
   }
 };
 

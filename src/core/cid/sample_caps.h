@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "base/rounding.h"
 #include "segment_samples.h"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ public:
   squareOf(float distance) const
   {
     const float certain = std::max(distance - segment_.slack, 0.0f);
-    return certain * certain * (1.0f - 4.0f * epsilon);
+    return certain * certain * (1.0f - rounding::of_product);
   }
 
   /** \brief Lower the caps of the samples near a surface point.
@@ -91,7 +92,7 @@ public:
     const float b = 2.0f * segment_.along.dot(from);
     const float c = squared_length_;
     float a = from.squaredNorm();
-    a += 16.0f * epsilon * (a + c) + std::numeric_limits<float>::min();
+    a += rounding::ofSquaredDistance(a, c);
 
     constexpr std::size_t packet = SampleOrder::packet;
     const std::size_t first = sample - std::min(sample, reach);
@@ -105,8 +106,6 @@ public:
   }
 
 private:
-  static constexpr float epsilon = std::numeric_limits<float>::epsilon();
-
   const SegmentSamples& segment_;
   const SampleOrder& order_;
   float squared_length_;

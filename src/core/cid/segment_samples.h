@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include "base/rounding.h"
 #include <pcl_cid/core/concavity.h>
 
 #include <algorithm>
@@ -113,9 +114,9 @@ struct SegmentSamples {
   : from(p)
   , along(q - p)
   , share(1.0f / static_cast<float>(samples - 1))
-  , spacing(along.norm() * share * 1.00001f)
-  , slack(16.0f * std::numeric_limits<float>::epsilon() *
-          std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff()))
+  , spacing(along.norm() * share * rounding::widening)
+  , slack(
+        rounding::ofSample(std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff())))
   {
   }
 

@@ -8,6 +8,7 @@
  */
 
 #include "segment_search.h"
+#include "base/rounding.h"
 
 #include "field/distance_grid.h"
 #include "sample_caps.h"
@@ -21,7 +22,6 @@ namespace pcl_cid {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
 /** Levels of samples that the search for the largest distance begins with. */
 constexpr std::size_t first_levels = 3;
@@ -103,7 +103,7 @@ public:
     }
     if (how == UpperBound::exact)
       return largestOfLooks();
-    return std::sqrt(orDistance(caps_.largest())) * (1.0f + 4.0f * epsilon) +
+    return std::sqrt(orDistance(caps_.largest())) * (1.0f + rounding::of_product) +
            samples_.slack;
   }
 

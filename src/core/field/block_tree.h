@@ -11,6 +11,7 @@
 #pragma once
 
 #include "base/progress.h"
+#include "base/rounding.h"
 
 #include <pcl_cid/core/point_set.h>
 
@@ -75,7 +76,7 @@ struct PointBox {
   float
   radius() const
   {
-    return (0.5f * (high - low)).matrix().norm() * 1.00001f;
+    return (0.5f * (high - low)).matrix().norm() * rounding::widening;
   }
 
   /** \brief Squared distance from a padded point to the box, 0 inside. */
@@ -140,10 +141,6 @@ public:
     return node >= size();
   }
 
-  /** \brief Squared distances to boxes and to points are rounded differently; a box is
-   *  skipped only when it is farther by more than this factor. */
-  static constexpr float rounding = 1.00001f;
-
   /** \brief The nearest point found so far. */
   struct Nearest {
     float squared_distance = std::numeric_limits<float>::infinity();
@@ -159,9 +156,9 @@ public:
       const float left = box(2 * node).squaredDistance(x);
       const float right = box(2 * node + 1).squaredDistance(x);
       const std::size_t near = right < left ? 2 * node + 1 : 2 * node;
-      if (std::min(left, right) <= nearest.squared_distance * rounding)
+      if (std::min(left, right) <= nearest.squared_distance * rounding::widening)
         descend(near, x, nearest);
-      if (std::max(left, right) <= nearest.squared_distance * rounding)
+      if (std::max(left, right) <= nearest.squared_distance * rounding::widening)
         descend(near ^ 1, x, nearest);
       return;
     }

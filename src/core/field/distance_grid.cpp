@@ -9,6 +9,7 @@
  */
 
 #include "distance_grid.h"
+#include "base/rounding.h"
 
 #include "base/parallel_for.h"
 
@@ -169,7 +170,7 @@ DistanceGrid::DistanceGrid(const BlockTree& tree,
   corner_ = box.centre() - Eigen::Vector3f::Constant(0.5f * side);
   finest_ = std::ldexp(side, -levels);
   inverse_finest_ = 1.0f / finest_;
-  slack_ = 16.0f * std::numeric_limits<float>::epsilon() * (magnitude + 2.0f * side);
+  slack_ = rounding::ofSample(magnitude + 2.0f * side);
 
   const double points = static_cast<double>(tree.size()) * PointBlock::capacity;
   const auto cells = [](int bits) { return std::size_t{1} << (3 * bits); };
@@ -310,9 +311,9 @@ DistanceGrid::makePart(const Region& whole,
   BlockTree::Nearest nearest;
   nearest.slot = whole.slot;
   nearest.squared_distance =
-      (centre - tree_.position(whole.slot)).squaredNorm() * BlockTree::rounding;
+      (centre - tree_.position(whole.slot)).squaredNorm() * rounding::widening;
   for (Eigen::Index k = 0; k < boxes.size(); ++k)
-    if (boxes.squared_distance[k] <= nearest.squared_distance * BlockTree::rounding)
+    if (boxes.squared_distance[k] <= nearest.squared_distance * rounding::widening)
       tree_.descend(static_cast<std::size_t>(boxes.nodes[static_cast<std::size_t>(k)]),
                     x,
                     nearest);
@@ -327,7 +328,7 @@ DistanceGrid::keepNodes(const Boxes& boxes, Region& part) const
   // For any x in the cell: d(x) <= d(c) + |x - c|, and a node at distance b from c is
   // no nearer to x than b - |x - c|.
   const float reach =
-      (part.distance + 2.0f * halfDiagonal(part.shift)) * 1.00001f + slack_;
+      (part.distance + 2.0f * halfDiagonal(part.shift)) * rounding::widening + slack_;
   part.nodes.resize(boxes.nodes.size());
   std::size_t kept = 0;
   for (std::size_t k = 0; k < boxes.nodes.size(); ++k) { // branch-free
@@ -454,7 +455,7 @@ DistanceGrid::nearest(const Eigen::Vector3f& x) const
     const auto node = static_cast<std::size_t>(list[k]);
     if (node != tree_.nodeOfBlock(likely) &&
         tree_.box(node).squaredDistance(padded_x) <=
-            nearest.squared_distance * BlockTree::rounding)
+            nearest.squared_distance * rounding::widening)
       tree_.descend(node, padded_x, nearest);
   }
   return nearest;

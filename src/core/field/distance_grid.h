@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include "base/rounding.h"
 #include "block_tree.h"
 
 #include <pcl_cid/core/distance_field.h>
@@ -62,7 +63,7 @@ public:
     const Leaf leaf = leafAt(place);
     const Eigen::Vector3f& nearest = tree_.position(leaf.slot);
     return {{lowerBound(x, centreOf(place, leaf.shift), nearest),
-             (x - nearest).norm() * widening + slack_},
+             (x - nearest).norm() * rounding::norm_widening + slack_},
             nearest};
   }
 
@@ -94,10 +95,6 @@ private:
   static constexpr int levels =
       22; ///< 2^22 finest cells a side: the resolution of float
   static constexpr float last_place = static_cast<float>((1 << levels) - 1);
-
-  /** Covers the rounding of a norm; `slack_` covers that of coordinates in the box. */
-  static constexpr float widening = 1.000002f;
-  static constexpr float narrowing = 0.999998f;
 
   struct Cell {
     std::int32_t slot;  ///< of the nearest point, or ~index of the first of 8 cells
@@ -220,8 +217,8 @@ private:
              const Eigen::Vector3f& centre,
              const Eigen::Vector3f& nearest) const
   {
-    return (centre - nearest).norm() * narrowing - (x - centre).norm() * widening -
-           slack_;
+    return (centre - nearest).norm() * rounding::norm_narrowing -
+           (x - centre).norm() * rounding::norm_widening - slack_;
   }
 
   Eigen::Vector3f

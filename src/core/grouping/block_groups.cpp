@@ -8,6 +8,7 @@
  */
 
 #include "block_groups.h"
+#include "base/rounding.h"
 
 #include <algorithm>
 
@@ -32,9 +33,8 @@ const BlockGroups::State BlockGroups::unknown = {infinity, infinity, -1, 0, 0};
 BlockGroups::BlockGroups(const WorkingPoints& points, int samples)
 : points_(points)
 , order_(samples)
-, slack_(
-      32.0f * std::numeric_limits<float>::epsilon() *
-      std::max(tree().box(1).low.abs().maxCoeff(), tree().box(1).high.abs().maxCoeff()))
+, slack_(rounding::ofTwoSamples(std::max(tree().box(1).low.abs().maxCoeff(),
+                                         tree().box(1).high.abs().maxCoeff())))
 , states_(tree().size() * PointBlock::capacity, unknown)
 , rivals_(tree().size())
 , likely_(tree().size(), -1)

@@ -7,6 +7,7 @@
  * The argmax of D_min: which point is the farthest from its seed.
  */
 
+#include "base/rounding.h"
 #include "block_groups.h"
 
 #include "base/parallel_for.h"
@@ -158,10 +159,10 @@ BlockGroups::farthestOfBlock(std::size_t b,
 void
 BlockGroups::shareWithNeighbors(std::size_t b, int row, const Closeness& closest)
 {
-  constexpr float rounding = 1.00001f;
   const PointBlock& block = tree().block(b);
   const Eigen::Array<float, PointBlock::capacity, 1> cid =
-      (block.squaredDistances(block.point(row)).sqrt() + closest.cid) * rounding +
+      (block.squaredDistances(block.point(row)).sqrt() + closest.cid) *
+          rounding::widening +
       slack_;
   for (int other = 0; other < block.count; ++other) {
     float& high = states_[slotOf(b, other)].high;

@@ -8,6 +8,7 @@
  */
 
 #include "group_cids.h"
+#include "base/rounding.h"
 
 #include "cid/segment_search.h"
 #include "field/distance_grid.h"
@@ -157,8 +158,8 @@ GroupCIDs::lowerBound(const SegmentSamples& segment, const Effort& effort) const
     }
   if (effort.exact_at_farthest)
     largest = std::max(largest, points_.field().distance(segment.at(farthest)));
-  constexpr float rounding = 8.0f * std::numeric_limits<float>::epsilon();
-  return std::max(largest * (1.0f - rounding) - segment.slack, 0.0f);
+  constexpr float loss = rounding::of_bound;
+  return std::max(largest * (1.0f - loss) - segment.slack, 0.0f);
 }
 
 /** The share of the progress, as if all pairs were to be made exact. */

@@ -8,6 +8,7 @@
  */
 
 #include "base/parallel_for.h"
+#include "base/rounding.h"
 #include "field/block_tree.h"
 
 #include "nearest_neighbors.h"
@@ -153,9 +154,9 @@ descend(const BlockTree& tree,
   const float left = tree.box(2 * node).squaredDistance(p);
   const float right = tree.box(2 * node + 1).squaredDistance(p);
   const std::size_t near = right < left ? 2 * node + 1 : 2 * node;
-  if (std::min(left, right) <= nearest.worst() * BlockTree::rounding)
+  if (std::min(left, right) <= nearest.worst() * rounding::widening)
     descend(tree, near, known_block, p, self, nearest);
-  if (std::max(left, right) <= nearest.worst() * BlockTree::rounding)
+  if (std::max(left, right) <= nearest.worst() * rounding::widening)
     descend(tree, near ^ 1, known_block, p, self, nearest);
 }
 
