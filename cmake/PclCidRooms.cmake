@@ -6,7 +6,6 @@
 # Rooms: the folders that a library is made of, in an order that the compiler enforces.
 
 # pcl_cid_add_room(LIBRARY ROOM
-#   [PLAIN]              without precompiled headers of PCL, of which it includes little
 #   [USES TARGET ...]    the rooms that it may include, with all that those may
 #   [SEES TARGET ...]    the rooms of which it may include the public headers alone, with
 #                        those of all that they use
@@ -19,7 +18,7 @@
 # (<pcl_cid/...>), and to those of the rooms that it uses. An include of any other room
 # does not compile.
 function(pcl_cid_add_room library name)
-  cmake_parse_arguments(ROOM "PLAIN" "" "USES;SEES;HEADERS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "USES;SEES;HEADERS;SOURCES;LIBRARIES" ${ARGN})
   set(room ${library}_${name})
   set(folders ${CMAKE_CURRENT_SOURCE_DIR})
   set(headers ${ROOM_HEADERS})
@@ -46,9 +45,7 @@ function(pcl_cid_add_room library name)
   target_include_directories(${room} PRIVATE ${view})
   target_link_libraries(${room} PRIVATE ${ROOM_LIBRARIES})
   pcl_cid_compile_for(${library} ${room})
-  if(NOT ROOM_PLAIN)
-    pcl_cid_precompile_headers(${room})
-  endif()
+  pcl_cid_precompile_headers(${room})
 endfunction()
 
 # The folder of links.

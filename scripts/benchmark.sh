@@ -90,7 +90,7 @@ measure_small_rooms() {
   for points in 20000 200000; do
     room "$rounds" "$points" segment:100:2 segment:100:2 literal:100:2 segment:100:2 \
       segment:100:2 defaults:100:2 sample:100:2 "${seeds_and_merging[@]}" \
-      "${seeds_and_merging[@]}" extend:110:2 sample:110:2 segment:10:2 segment:30:2 \
+      "${seeds_and_merging[@]}" extend:110:2 sample:110:2 handle:100:2 segment:10:2 segment:30:2 \
       segment:300:2 segment:1000:2 "${curve[@]}"
     room 1 "$points" check:100:2
   done
@@ -101,7 +101,7 @@ measure_large_rooms() {
   one_side+=("${one_side[@]}")
   room 3 254456 segment:100:2
   room 2 1000000 "${one_side[@]}" literal:100:2 defaults:100:2 sample:100:2 extend:110:2 \
-    sample:110:2 segment:1000:2 "${one_side[@]}"
+    sample:110:2 handle:100:2 add:100:2 remove:100:2 segment:1000:2 "${one_side[@]}"
   room 2 10000000 segment:100:2 literal:100:2
   room 1 1000000 check:100:2
   room 1 10000000 check:100:2
@@ -112,6 +112,11 @@ measure_real_scans() {
   for scan in office1 room_scan1 mosd_learn41; do
     real_scan "$scan.pcd" segment:100:2 literal:100:2 defaults:100:2
   done
+}
+
+# The sample scan, beside processes that never wait: five pairs in turn.
+measure_busy_machine() {
+  end_to_end 5 busy:100:1 busy:100:2 busy_cpu:100:1 busy_cpu:100:2 -- data/room.pcd
 }
 
 step "Debian packages"
@@ -128,8 +133,10 @@ describe_machine | tee "$results/machine.txt"
 mapfile -t curve < <(threads_of_curve | grep -v ':2$')
 if [ "$mode" = --quick ]; then
   measure_small_rooms 2
+  measure_busy_machine
 else
   measure_small_rooms 3
+  measure_busy_machine
   measure_large_rooms
   measure_real_scans
 fi

@@ -56,11 +56,11 @@ def plot_scans(axes, results, y, **fixed):
 def plot_time_against_points(results, path):
     axes = new_axes("100 seeds, 2 threads", "points", "seconds, cloud to labels")
     fixed = dict(seeds=100, threads=2)
-    for room, (label, colour) in ROOMS.items():
+    for room, (label, color) in ROOMS.items():
         for work, style in (("segment", "o-"), ("literal", "o--")):
             xs, ys = curve(results, "points", "median", input=room, work=work, **fixed)
             name = "ours" if work == "segment" else "literal"
-            axes.plot(xs, ys, style, color=colour, label=f"{name}, {label}")
+            axes.plot(xs, ys, style, color=color, label=f"{name}, {label}")
     plot_scans(axes, results, "median", work="segment", **fixed)
     save(axes, path)
 
@@ -68,9 +68,9 @@ def plot_time_against_points(results, path):
 def plot_memory_against_points(results, path):
     axes = new_axes("100 seeds, 2 threads", "points", "peak MB above the cloud")
     fixed = dict(work="segment", seeds=100, threads=2)
-    for room, (label, colour) in ROOMS.items():
+    for room, (label, color) in ROOMS.items():
         xs, ys = curve(results, "points", "peak", input=room, **fixed)
-        axes.plot(xs, ys, "o-", color=colour, label=label)
+        axes.plot(xs, ys, "o-", color=color, label=label)
     plot_scans(axes, results, "peak", **fixed)
     axes.plot(*zip(*MOST_MEMORY.items()), "k_", markersize=14, label="at most")
     save(axes, path)
@@ -82,12 +82,12 @@ def plot_against_setting(results, setting, path, **fixed):
     axes = new_axes(title, setting, "seconds, cloud to labels")
     values = set()
     for points, marker in zip(sorted({case.points for case in results}), "ov^sDP*X"):
-        for room, (label, colour) in ROOMS.items():
+        for room, (label, color) in ROOMS.items():
             of_room = dict(input=room, points=points, work="segment", **fixed)
             xs, ys = curve(results, setting, "median", **of_room)
             if len(xs) >= 2:
                 name = f"{label}, {points:,} points"
-                axes.plot(xs, ys, marker + "-", color=colour, label=name)
+                axes.plot(xs, ys, marker + "-", color=color, label=name)
                 values.update(xs)
     axes.set_xticks(sorted(values), labels=[str(value) for value in sorted(values)])
     axes.minorticks_off()

@@ -21,7 +21,7 @@ from render_pictures import palette, read_ply_vertices
 
 
 # Colors of a picture: few make a small file.
-COLOURS = 64
+COLORS = 64
 
 
 def read_seeds(path):
@@ -77,10 +77,10 @@ def main():
         places = np.stack([cloud[axis] for axis in "xyz"], axis=1).astype(float)
         shown = np.flatnonzero(np.isfinite(places).all(axis=1) & is_shown(places))
         shown = shown[::max(1, len(shown) // args.points)]
-        colours = palette(int(cloud["label"].max()) + 1)
+        colors = palette(int(cloud["label"].max()) + 1)
         right, up, off = project(places[shown])
         order = np.argsort(-off)
-        axes.scatter(right[order], up[order], c=colours[cloud["label"][shown][order]], s=1.5,
+        axes.scatter(right[order], up[order], c=colors[cloud["label"][shown][order]], s=1.5,
                      linewidths=0)
         chosen = read_seeds(seeds)
         right, up, _ = project(chosen[is_shown(chosen)])
@@ -90,7 +90,7 @@ def main():
         axes.set_axis_off()
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=80)
-    Image.open(drawn).convert("RGB").quantize(COLOURS).save(args.picture, optimize=True)
+    Image.open(drawn).convert("RGB").quantize(COLORS).save(args.picture, optimize=True)
 
 
 if __name__ == "__main__":

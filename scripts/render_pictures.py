@@ -101,8 +101,8 @@ def main():
     shown = shown[:: max(1, len(shown) // args.points)]
     figure = plt.figure(figsize=(14, 6.2))
     axes = figure.add_subplot(1, 2, 1, projection="3d")
-    colours = palette(int(label.max()) + 1)
-    axes.scatter(*xyz[shown].T, c=colours[label[shown]], s=1.2, linewidths=0)
+    colors = palette(int(label.max()) + 1)
+    axes.scatter(*xyz[shown].T, c=colors[label[shown]], s=1.2, linewidths=0)
     prepare_axes(axes, low, high, args, f"{len(np.unique(label))} parts of the scan")
 
     axes = figure.add_subplot(1, 2, 2, projection="3d")
@@ -114,8 +114,8 @@ def main():
             continue
         kept += 1
         axes.add_collection3d(Poly3DCollection(
-            corners, facecolor=(*colours[part + 1], 0.35),
-            edgecolor=(*(0.6 * colours[part + 1]), 0.35), linewidth=0.25))
+            corners, facecolor=(*colors[part + 1], 0.35),
+            edgecolor=(*(0.6 * colors[part + 1]), 0.35), linewidth=0.25))
     prepare_axes(axes, low, high, args, f"their convex hulls ({kept} shown) over the scan")
     figure.subplots_adjust(left=0, right=1, bottom=0, top=0.94, wspace=0)
     figure.savefig(args.picture, dpi=100)

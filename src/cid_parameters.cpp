@@ -38,103 +38,6 @@ CIDParameters::setNumberOfSamples(int number_of_samples)
 }
 
 void
-CIDParameters::setSubsample(int subsample)
-{
-  require(setting::subsample, subsample);
-  preparation_.subsample = subsample;
-  forgetScan();
-}
-
-void
-CIDParameters::setRandomSeed(std::uint64_t random_seed)
-{
-  preparation_.random_seed = random_seed;
-  forgetScan();
-}
-
-void
-CIDParameters::setStartIndex(pcl::index_t start_index)
-{
-  require(setting::start_index, start_index);
-  preparation_.start_index = start_index;
-  forgetScan();
-}
-
-void
-CIDParameters::resetStartIndex()
-{
-  preparation_.start_index.reset();
-  forgetScan();
-}
-
-void
-CIDParameters::setSeedCandidates(
-    const pcl::shared_ptr<const pcl::Indices>& seed_candidates)
-{
-  preparation_.seed_candidates = seed_candidates;
-  forgetScan();
-}
-
-void
-CIDParameters::setDensityWeight(DensityWeight density_weight)
-{
-  preparation_.density = density_weight;
-  forgetScan();
-}
-
-void
-CIDParameters::setDensityPower(float density_power)
-{
-  require(setting::density_power, density_power);
-  preparation_.density_power = density_power;
-  forgetScan();
-}
-
-void
-CIDParameters::setIsolatedNeighbors(int isolated_neighbors)
-{
-  require(setting::isolated_neighbors, isolated_neighbors);
-  preparation_.isolated_neighbors = isolated_neighbors;
-  forgetScan();
-}
-
-void
-CIDParameters::setColorWeight(float color_weight)
-{
-  require(setting::color, color_weight);
-  preparation_.color = color_weight;
-  forgetScan();
-}
-
-void
-CIDParameters::setColors(const ColorsConstPtr& colors)
-{
-  colors_ = colors;
-  forgetScan();
-}
-
-void
-CIDParameters::setFillBlindSpot(bool fill_blind_spot)
-{
-  preparation_.blind_spot = fill_blind_spot;
-  forgetScan();
-}
-
-void
-CIDParameters::setSearchMethod(const SearchPtr& search_method)
-{
-  preparation_.search_method = search_method;
-  forgetScan();
-}
-
-void
-CIDParameters::setMemoryBudget(std::size_t memory_budget)
-{
-  preparation_.memory_budget = memory_budget;
-  forgetScan();
-}
-
-void
 CIDParameters::setNumberOfThreads(unsigned int number_of_threads)
 {
   require(setting::threads, number_of_threads);
@@ -171,7 +74,7 @@ CIDParameters::setPreparedScan(const PreparedScan::ConstPtr& scan)
   if (!scan)
     throw CIDException("the prepared scan is null; it must be one");
   forgetScan();
-  preparation_ = scan->settings();
+  adoptPreparation(scan->settings());
   scan_ = scan;
   scan_is_given_ = true;
 }
@@ -181,7 +84,7 @@ CIDParameters::prepare()
 {
   if (!scan_)
     scan_ = std::make_shared<const PreparedScan>(
-        gatherScan(), preparation_, execution(0.0, 0.0));
+        gatherScan(), preparation(), execution(0.0, 0.0));
   return scan_;
 }
 
@@ -190,8 +93,8 @@ CIDParameters::prepare()
 bool
 CIDParameters::holdsInSubsample(const pcl::Indices& seeds) const
 {
-  return scan_ && (scan_is_given_ || preparation_.subsample == 0 ||
-                   preparation_.required == seeds);
+  return scan_ && (scan_is_given_ || preparation().subsample == 0 ||
+                   preparation().required == seeds);
 }
 
 PreparedScan::ConstPtr
@@ -199,7 +102,7 @@ CIDParameters::scanThatHolds(const pcl::Indices& seeds) const
 {
   if (holdsInSubsample(seeds))
     return scan_;
-  PreparationSettings settings = preparation_;
+  PreparationSettings settings = preparation();
   settings.required = seeds;
   return std::make_shared<const PreparedScan>(
       gatherScan(), settings, execution(0.0, 0.0));
@@ -211,7 +114,7 @@ CIDParameters::takeScan(const PreparedScan::ConstPtr& scan)
   if (scan == scan_)
     return;
   forgetScan();
-  preparation_ = scan->settings();
+  adoptPreparation(scan->settings());
   scan_ = scan;
 }
 

@@ -486,7 +486,7 @@ TEST(CIDConvexAbstraction, TheFloorAroundAScannerIsOnePart)
   std::vector<pcl::PointIndices> parts;
   abstraction.segment(parts);
   ASSERT_TRUE(abstraction.getBlindSpot());
-  EXPECT_LE((abstraction.getBlindSpot()->centre - offset.cast<double>() -
+  EXPECT_LE((abstraction.getBlindSpot()->center - offset.cast<double>() -
              Eigen::Vector3d(0, 0, -1.3))
                 .norm(),
             0.02);

@@ -492,9 +492,9 @@ TEST(CIDSampler, ColorsComeFromThePointTypeOrAreGiven)
   Sampler given = samplerFor(toCloud(points), 9);
   given.setNumberOfSamples(of_type.getNumberOfSamples());
   given.setColorWeight(0.01f);
-  EXPECT_THROW(sampled(given), CIDException) << "PointXYZ has no colours";
+  EXPECT_THROW(sampled(given), CIDException) << "PointXYZ has no colors";
   given.setColors(std::make_shared<std::vector<ColorRGB>>(299));
-  EXPECT_THROW(sampled(given), CIDException) << "one colour too few";
+  EXPECT_THROW(sampled(given), CIDException) << "one color too few";
   given.setColors(colors);
   EXPECT_EQ(sampled(given), seeds);
   EXPECT_EQ(given.getProposal().cid, of_type.getProposal().cid);

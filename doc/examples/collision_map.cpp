@@ -46,10 +46,10 @@ CollisionMap::CollisionMap(const std::vector<Shape>& shapes)
 }
 
 bool
-CollisionMap::touches(const Eigen::Vector3d& centre, double radius) const
+CollisionMap::touches(const Eigen::Vector3d& center, double radius) const
 {
   fcl::CollisionObjectd sphere(std::make_shared<fcl::Sphered>(radius));
-  sphere.setTranslation(centre);
+  sphere.setTranslation(center);
   sphere.computeAABB();
   fcl::DefaultCollisionData<double> answer;
   tree_.collide(&sphere, &answer, fcl::DefaultCollisionFunction<double>);

@@ -38,7 +38,7 @@ public:
 
   /** \brief Whether a sphere touches any of the shapes. */
   bool
-  touches(const Eigen::Vector3d& centre, double radius) const;
+  touches(const Eigen::Vector3d& center, double radius) const;
 
 private:
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;

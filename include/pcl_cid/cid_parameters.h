@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/cid_preparation_parameters.h>
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/prepared_scan.h>
@@ -26,23 +27,18 @@
 
 namespace pcl_cid {
 
-/** \brief The color of each point of a cloud. */
-using ColorsConstPtr = std::shared_ptr<const std::vector<ColorRGB>>;
-
 /** \brief The settings that all classes of pcl_cid share, and the results they share:
  *  the prepared scan and the grouping.
  *
- *  The settings of the preparation are marked as such: setting one makes the next verb
- *  prepare the input again. No other setting does, so consecutive verbs on one input
- *  prepare it once. Algorithm 1, too, runs again only when one of its settings was
- *  changed, and goes on where only the number of seeds has grown.
+ *  Only the settings of the preparation make the next verb prepare the input again, so
+ *  consecutive verbs on one input prepare it once. Algorithm 1, too, runs again only
+ *  when one of its settings was changed, and goes on where only the number of seeds has
+ *  grown.
  *
  *  Every setter refuses a bad value at once with a CIDException and then changes
  *  nothing. Ranges and defaults: the rows of `setting` (settings.h). */
-class PCL_CID_EXPORT CIDParameters {
+class PCL_CID_EXPORT CIDParameters : public CIDPreparationParameters {
 public:
-  using SearchPtr = DistanceField::SearchPtr;
-
   /** \brief K, the number of seeds. Fewer come back when the cloud has fewer distinct
    *  points. */
   void
@@ -87,158 +83,6 @@ public:
   getSeedingRule() const
   {
     return grouping_settings_.seeding;
-  }
-
-  /** \brief Work on a random draw of this many points (the paper: 20,000), and let
-   *  every other point follow its Euclidean-nearest one; 0, the default, works on all
-   *  of them. A setting of the preparation. */
-  void
-  setSubsample(int subsample);
-
-  int
-  getSubsample() const
-  {
-    return preparation_.subsample;
-  }
-
-  /** \brief Seed of every draw (start, subsample, samples of groups). A setting of the
-   *  preparation. */
-  void
-  setRandomSeed(std::uint64_t random_seed);
-
-  std::uint64_t
-  getRandomSeed() const
-  {
-    return preparation_.random_seed;
-  }
-
-  /** \brief Begin the traversal at this point of the input cloud instead of a random
-   *  one; the verb then requires it to be a finite, selected point. A setting of the
-   *  preparation. */
-  void
-  setStartIndex(pcl::index_t start_index);
-
-  /** \brief Begin at a random point again (the default). */
-  void
-  resetStartIndex();
-
-  std::optional<pcl::index_t>
-  getStartIndex() const
-  {
-    return preparation_.start_index;
-  }
-
-  /** \brief The points of the input cloud that may become seeds; null, the default,
-   *  means all that are grouped. Those that are not grouped are skipped. A setting of
-   *  the preparation. */
-  void
-  setSeedCandidates(const pcl::shared_ptr<const pcl::Indices>& seed_candidates);
-
-  pcl::shared_ptr<const pcl::Indices>
-  getSeedCandidates() const
-  {
-    return preparation_.seed_candidates;
-  }
-
-  /** \brief Whether CIDs are weighted by `2 / (s(p) + s(q))`, s being the local spacing
-   *  of the points: where a scan is sparse, a point is far from the surface without any
-   *  concavity. The default, automatic, is on where the spacing is uneven: for a single
-   *  depth view or a lidar scan, but not for points drawn evenly. A setting of the
-   *  preparation. */
-  void
-  setDensityWeight(DensityWeight density_weight);
-
-  DensityWeight
-  getDensityWeight() const
-  {
-    return preparation_.density;
-  }
-
-  /** \brief The power of the spacing in that weight; 0 means off. A setting of the
-   *  preparation. */
-  void
-  setDensityPower(float density_power);
-
-  float
-  getDensityPower() const
-  {
-    return preparation_.density_power;
-  }
-
-  /** \brief A point with fewer others near it is isolated: it never becomes a seed,
-   *  unless it is the start or a seed that was given, and does not count in the
-   *  coverage, but belongs to a group like all others. 0: no point is isolated. A
-   *  setting of the preparation. */
-  void
-  setIsolatedNeighbors(int isolated_neighbors);
-
-  int
-  getIsolatedNeighbors() const
-  {
-    return preparation_.isolated_neighbors;
-  }
-
-  /** \brief What a difference in color adds to the cost of a pair: metres for a unit of
-   *  CIE L*a*b* (black to white: 100), the colors being averaged over neighbors; 0, the
-   *  default, ignores colors. Above 0 the verbs need colors: from a point type with
-   *  `rgb` or `rgba`, or from setColors(). A setting of the preparation. */
-  void
-  setColorWeight(float color_weight);
-
-  float
-  getColorWeight() const
-  {
-    return preparation_.color;
-  }
-
-  /** \brief Colors of the points of the input cloud, one for each; null, the default,
-   *  means those of its point type. A setting of the preparation. */
-  void
-  setColors(const ColorsConstPtr& colors);
-
-  ColorsConstPtr
-  getColors() const
-  {
-    return colors_;
-  }
-
-  /** \brief Whether the floor that a scanner hides from itself is a part of the
-   *  surface: a disc under the sensor's origin of the input cloud (`sensor_origin_`,
-   *  `sensor_orientation_`), where there is such a hole. Points of it belong to no
-   *  group. Default true; of no effect with a search surface. A setting of the
-   *  preparation. */
-  void
-  setFillBlindSpot(bool fill_blind_spot);
-
-  bool
-  getFillBlindSpot() const
-  {
-    return preparation_.blind_spot;
-  }
-
-  /** \brief What answers nearest-neighbor queries away from the surface; null, the
-   *  default, leaves it to pcl_cid and pcl::KdTreeFLANN (see DistanceField). It is
-   *  given the surface about a local origin, as PointXYZ; it must be exact and safe for
-   *  concurrent queries. A setting of the preparation. */
-  void
-  setSearchMethod(const SearchPtr& search_method);
-
-  SearchPtr
-  getSearchMethod() const
-  {
-    return preparation_.search_method;
-  }
-
-  /** \brief Bytes that the grid of the surface may take (see DistanceField); 0, the
-   *  default, means a quarter of the machine's memory. Never changes a result. A
-   *  setting of the preparation. */
-  void
-  setMemoryBudget(std::size_t memory_budget = 0);
-
-  std::size_t
-  getMemoryBudget() const
-  {
-    return preparation_.memory_budget;
   }
 
   /** \brief Number of threads, at most 1024; 0, the default, means all. */
@@ -322,7 +166,7 @@ protected:
   CIDParameters(const CIDParameters&) = default;
   CIDParameters&
   operator=(const CIDParameters&) = default;
-  virtual ~CIDParameters() = default;
+  ~CIDParameters() override = default;
 
   /** \brief The input as it is now.
    *  \throws CIDException when there is none, or it is unusable */
@@ -334,10 +178,8 @@ protected:
   ExecutionOptions
   execution(double begin, double end) const;
 
-  /** \brief The input or a setting of the preparation has changed: drop what was
-   *  computed. */
   void
-  forgetScan();
+  forgetScan() override;
 
   /** \brief Let a verb keep exact CIDs in the proposal. */
   void
@@ -426,9 +268,7 @@ private:
 
   int number_of_seeds_ = setting::seeds.initial;
   float coverage_ = setting::coverage.initial;
-  PreparationSettings preparation_;
   GroupingSettings grouping_settings_;
-  ColorsConstPtr colors_;
   unsigned int number_of_threads_ = setting::threads.initial;
   ProgressCallback progress_;
 

@@ -20,7 +20,7 @@ from view import View, drawing
 from work import Item
 
 PICTURE = "labels.png"
-COLOURS = 20
+COLORS = 20
 
 
 def carry_labels(item, programs, folder):
@@ -49,7 +49,7 @@ def draw(cloud, known, labels, path):
     panels = figure.subplots(1, len(labels), subplot_kw={"projection": "3d"})
     for panel, (name, values) in zip(panels, labels.items()):
         if name == "truth":
-            room.scatter(panel, "true instances", c=values[room.shown] % COLOURS, cmap="tab20")
+            room.scatter(panel, "true instances", c=values[room.shown] % COLORS, cmap="tab20")
             continue
         right = (values == cloud["label"])[room.shown]
         room.scatter(panel, f"wrong labels, {name}",

@@ -139,15 +139,15 @@ class Purity:
         save_picture(path, figure)
 
     @staticmethod
-    def draw_curves(axes, results, colour, label):
+    def draw_curves(axes, results, color, label):
         """A thin line for each run, and the median of all."""
         grid = np.geomspace(0.2, 10, 80)
         on_grid = []
         for result in results:
             parts = np.arange(result["parts"], result["parts"] - len(result["purity"]), -1)
             compactness = result["truth_instances"] / parts
-            axes.plot(compactness, result["purity"], color=colour, alpha=0.15, linewidth=0.8)
+            axes.plot(compactness, result["purity"], color=color, alpha=0.15, linewidth=0.8)
             on_grid.append(np.interp(grid, compactness, result["purity"], left=np.nan,
                                      right=np.nan))
         middle = np.median(np.array(on_grid), axis=0)
-        axes.plot(grid, middle, color=colour, linewidth=2.5, label=f"median, {label}")
+        axes.plot(grid, middle, color=color, linewidth=2.5, label=f"median, {label}")

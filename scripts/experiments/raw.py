@@ -16,7 +16,7 @@ from scores import summary, weighted
 
 ALL_POINTS = 0
 # Metres for each unit of Lab.
-COLOUR_WEIGHT = 0.001
+COLOR_WEIGHT = 0.001
 # What each setting changes; options that it does not name are the paper's.
 DEFAULTS = {"density": DEFAULT, "isolated-neighbors": DEFAULT, "blind-spot": DEFAULT}
 SETTINGS = {
@@ -24,15 +24,15 @@ SETTINGS = {
     "density on": {"density": "on"},
     "isolated points": {"isolated-neighbors": DEFAULT},
     "soft seeding": {"seeding": "soft"},
-    "colour": {"color": COLOUR_WEIGHT},
+    "color": {"color": COLOR_WEIGHT},
     "defaults": DEFAULTS,
-    "all": DEFAULTS | {"seeding": "soft", "color": COLOUR_WEIGHT},
+    "all": DEFAULTS | {"seeding": "soft", "color": COLOR_WEIGHT},
 }
 # So much worse than the better of off and on may auto be, in mean IoU.
 TOLERANCE = 0.01
 
 
-def has_colour(scan):
+def has_color(scan):
     """Whether the header of a file names colors. Folders of S3DIS and ScanNet have them."""
     if scan.path.is_dir():
         return True
@@ -48,7 +48,7 @@ def has_colour(scan):
 
 def settings_of(scan):
     """By name. A scan without colors has no setting of its own for them."""
-    if has_colour(scan):
+    if has_color(scan):
         return SETTINGS
     plain = {name: {key: value for key, value in changed.items() if key != "color"}
              for name, changed in SETTINGS.items()}

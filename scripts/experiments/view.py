@@ -50,7 +50,7 @@ class View:
         self.azimuth = best_azimuth(self.places, indices)
         self.shown = visible(self.places, self.azimuth)
 
-    def scatter(self, panel, title, **colours):
+    def scatter(self, panel, title, **colors):
         """The points in a 3D panel, in colors for those that are shown."""
         panel.computed_zorder = False
         panel.set_box_aspect(np.ptp(self.places[self.shown], axis=0), zoom=1.5)
@@ -58,4 +58,4 @@ class View:
         panel.set_axis_off()
         panel.set_title(title, fontsize="medium")
         return panel.scatter(*self.places[self.shown].T, s=2, linewidth=0, depthshade=False,
-                             **colours)
+                             **colors)

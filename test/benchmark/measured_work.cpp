@@ -24,12 +24,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <pcl/common/common.h>
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -380,6 +386,64 @@ removeOneSeed(const Work& work, const Cloud::ConstPtr& cloud)
   return result;
 }
 
+/** Other work of the machine: processes that never wait, for as long as this lives. */
+class BusyProcesses {
+public:
+  explicit BusyProcesses(std::size_t number)
+  {
+    while (ids_.size() < number)
+      ids_.push_back(start());
+  }
+
+  BusyProcesses(const BusyProcesses&) = delete;
+  BusyProcesses&
+  operator=(const BusyProcesses&) = delete;
+
+  ~BusyProcesses()
+  {
+    for (const pid_t id : ids_) {
+      kill(id, SIGKILL);
+      waitpid(id, nullptr, 0);
+    }
+  }
+
+private:
+  static pid_t
+  start()
+  {
+    const pid_t id = fork();
+    if (id < 0)
+      throw std::runtime_error("cannot start a busy process");
+    if (id > 0)
+      return id;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (volatile std::uint64_t turns = 0;;)
+      turns = turns + 1;
+  }
+
+  std::vector<pid_t> ids_;
+};
+
+constexpr std::size_t busy_processes = 2;
+
+Measurement
+besideBusyProcesses(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  const BusyProcesses others(busy_processes);
+  return segment<configure>(work, cloud);
+}
+
+/** The same in processor time, of all threads. */
+Measurement
+processorTime(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  const BusyProcesses others(busy_processes);
+  const std::clock_t begun = std::clock();
+  Measurement result = segment<configure>(work, cloud);
+  result.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  return result;
+}
+
 using Perform = Measurement (*)(const Work&, const Cloud::ConstPtr&);
 
 const std::map<std::string, Perform>&
@@ -397,7 +461,9 @@ works()
       {"check", check},
       {"handle", handle},
       {"add", addOneSeed},
-      {"remove", removeOneSeed}};
+      {"remove", removeOneSeed},
+      {"busy", besideBusyProcesses},
+      {"busy_cpu", processorTime}};
   return all;
 }
 

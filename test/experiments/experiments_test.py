@@ -30,7 +30,7 @@ from heatmap import separation  # noqa: E402
 from peers_summary import Comparison  # noqa: E402
 from programs import raw_scan_options  # noqa: E402
 from purity import contingency, purities  # noqa: E402
-from raw import SETTINGS, TOLERANCE, Raw, has_colour, place_of, settings_of  # noqa: E402
+from raw import SETTINGS, TOLERANCE, Raw, has_color, place_of, settings_of  # noqa: E402
 from scans import Scan, natural, scans_of, spread  # noqa: E402
 from work import Item, Store, do_all  # noqa: E402
 
@@ -157,7 +157,7 @@ class ByHand(unittest.TestCase):
                     self.assertNotIn(scan.fingerprint(), seen)
                     seen.append(scan.fingerprint())
 
-    def test_colour_is_looked_for_in_the_header(self):
+    def test_color_is_looked_for_in_the_header(self):
         with tempfile.TemporaryDirectory() as name:
             for i, (header, expected) in enumerate((
                     ("FIELDS x y z rgba\nDATA ascii\n", True),
@@ -167,11 +167,11 @@ class ByHand(unittest.TestCase):
                 path = Path(name) / str(i)
                 path.write_text(header)
                 scan = Scan("office/1", path)
-                self.assertEqual(has_colour(scan), expected)
-                self.assertEqual("colour" in settings_of(scan), expected)
+                self.assertEqual(has_color(scan), expected)
+                self.assertEqual("color" in settings_of(scan), expected)
                 self.assertEqual("color" in settings_of(scan)["all"], expected)
                 self.assertEqual(place_of(scan), "office")
-            self.assertTrue(has_colour(Scan("room", Path(name))))
+            self.assertTrue(has_color(Scan("room", Path(name))))
 
     def test_auto_is_compared_with_the_better(self):
         def runs(*scores):
@@ -365,7 +365,7 @@ class OnADataset(unittest.TestCase):
         done = self.run_it("raw", self.room, self.out, "--starts", "1")
         self.assertIn("Is auto as good", done.stdout)
         scans = {row["setting"]: row for row in rows_of(self.out / "raw_scans.csv")}
-        self.assertEqual(list(scans), list(SETTINGS))  # rooms of S3DIS have colours
+        self.assertEqual(list(scans), list(SETTINGS))  # rooms of S3DIS have colors
         self.assertEqual(scans["paper"]["weighted"], "False")
         self.assertEqual(scans["density on"]["weighted"], "True")
         decided = scans["density on" if scans["defaults"]["weighted"] == "True" else "paper"]

@@ -29,11 +29,11 @@ shapeAbout(const Eigen::Vector3d& origin, const ConvexPart& part)
 
 /** By libccd, FCL's default. */
 bool
-collides(const planning::Shape& convex, const Eigen::Vector3d& centre, double radius)
+collides(const planning::Shape& convex, const Eigen::Vector3d& center, double radius)
 {
   const fcl::Sphered sphere(radius);
   fcl::Transform3d pose = fcl::Transform3d::Identity();
-  pose.translation() = centre;
+  pose.translation() = center;
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
   return fcl::collide(convex.get(),
@@ -56,11 +56,11 @@ TEST(FCL, HitsInsideAHullAndMissesOutside)
       EXPECT_TRUE(collides(convex, middle, radius));
       for (const auto& [a, b, c] : part.hull.triangles) {
         const auto& v = part.hull.vertices;
-        const Eigen::Vector3d centre = (v[a] + v[b] + v[c]) / 3.0 - origin;
+        const Eigen::Vector3d center = (v[a] + v[b] + v[c]) / 3.0 - origin;
         const Eigen::Vector3d normal = (v[b] - v[a]).cross(v[c] - v[a]).normalized();
-        EXPECT_TRUE(collides(convex, centre - 0.5 * radius * normal, radius));
-        EXPECT_TRUE(collides(convex, centre + 0.5 * radius * normal, radius));
-        EXPECT_FALSE(collides(convex, centre + 2.0 * radius * normal, radius));
+        EXPECT_TRUE(collides(convex, center - 0.5 * radius * normal, radius));
+        EXPECT_TRUE(collides(convex, center + 0.5 * radius * normal, radius));
+        EXPECT_FALSE(collides(convex, center + 2.0 * radius * normal, radius));
       }
     }
   }

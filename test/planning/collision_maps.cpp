@@ -32,9 +32,9 @@ constexpr double radius = 0.15; // of the spheres, metres
 constexpr double cell = 0.05;   // of the octree, metres
 constexpr int rounds = 5;       // the fastest counts: other programs only slow it down
 
-/** A sphere's centre, and its distance to the nearest point of the scan. */
+/** A sphere's center, and its distance to the nearest point of the scan. */
 struct Query {
-  Eigen::Vector3d centre;
+  Eigen::Vector3d center;
   double distance;
 };
 
@@ -49,13 +49,13 @@ drawQueries(const Cloud::ConstPtr& scan, std::size_t count)
   std::vector<Query> queries(count);
   for (Query& query : queries) {
     for (int axis = 0; axis < 3; ++axis)
-      query.centre[axis] =
+      query.center[axis] =
           pcl_cid::test::drawWithin(generator, {box.min()[axis], box.max()[axis]});
-    pcl::PointXYZ centre;
-    centre.getVector3fMap() = query.centre.cast<float>();
+    pcl::PointXYZ center;
+    center.getVector3fMap() = query.center.cast<float>();
     pcl::Indices index(1);
     std::vector<float> distance2(1);
-    tree.nearestKSearch(centre, 1, index, distance2);
+    tree.nearestKSearch(center, 1, index, distance2);
     query.distance = std::sqrt(double{distance2[0]});
   }
   return queries;
@@ -92,7 +92,7 @@ measure(const std::function<std::vector<Shape>()>& makeShapes,
   for (int round = 0; round < rounds; ++round) {
     const auto start = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < queries.size(); ++i)
-      touched[i] = map->touches(queries[i].centre, radius);
+      touched[i] = map->touches(queries[i].center, radius);
     const std::chrono::duration<double, std::micro> spent =
         std::chrono::steady_clock::now() - start;
     figures.microseconds = std::min(

@@ -20,11 +20,11 @@ namespace {
 pcl::PointCloud<pcl::PointNormal>::Ptr
 withNormals(const Cloud::ConstPtr& scan)
 {
-  constexpr int neighbours = 20;
+  constexpr int neighbors = 20;
   pcl::NormalEstimation<pcl::PointXYZ, pcl::PointNormal> estimation;
   estimation.setInputCloud(scan);
   estimation.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
-  estimation.setKSearch(neighbours);
+  estimation.setKSearch(neighbors);
   auto points = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
   estimation.compute(*points);
   for (std::size_t i = 0; i < points->size(); ++i)

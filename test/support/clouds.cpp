@@ -149,9 +149,9 @@ crop(const pcl::PointCloud<pcl::PointXYZ>& scan, std::size_t count, std::size_t 
   for (const pcl::PointXYZ& p : scan)
     if (p.getVector3fMap().allFinite())
       finite.push_back(p.getVector3fMap());
-  const Eigen::Vector3f centre = finite[finite.size() / 2];
+  const Eigen::Vector3f center = finite[finite.size() / 2];
   std::stable_sort(finite.begin(), finite.end(), [&](const auto& a, const auto& b) {
-    return (a - centre).squaredNorm() < (b - centre).squaredNorm();
+    return (a - center).squaredNorm() < (b - center).squaredNorm();
   });
   Points cropped;
   for (std::size_t i = 0; i < finite.size() && cropped.size() < count; i += stride)

@@ -59,9 +59,9 @@ categoryOf(const std::string& room_class)
   throw std::runtime_error("no class " + room_class);
 }
 
-/** Any colour, another one for each instance. */
+/** Any color, another one for each instance. */
 std::uint8_t
-colour(std::uint32_t instance, std::uint32_t channel)
+color(std::uint32_t instance, std::uint32_t channel)
 {
   return static_cast<std::uint8_t>(instance * (37 + 30 * channel) % 256);
 }
@@ -78,9 +78,9 @@ s3disLine(const LabelledScan& scan, std::size_t i)
                 static_cast<double>(p.x()),
                 static_cast<double>(p.y()),
                 static_cast<double>(p.z()),
-                colour(instance, 0),
-                colour(instance, 1),
-                colour(instance, 2));
+                color(instance, 0),
+                color(instance, 1),
+                color(instance, 2));
   return line;
 }
 
@@ -105,7 +105,7 @@ appendBytes(Value value, std::string& bytes)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/** As ScanNet's meshes: colours with alpha, and triangles, which any three vertices
+/** As ScanNet's meshes: colors with alpha, and triangles, which any three vertices
  * will do for. */
 std::string
 mesh(const LabelledScan& scan)
@@ -123,7 +123,7 @@ mesh(const LabelledScan& scan)
     for (int axis = 0; axis < 3; ++axis)
       appendBytes(scan.points[i][axis], ply);
     for (std::uint32_t channel = 0; channel < 3; ++channel)
-      appendBytes(colour(scan.instance[i], channel), ply);
+      appendBytes(color(scan.instance[i], channel), ply);
     appendBytes(std::uint8_t{255}, ply);
   }
   for (std::size_t i = 0; i < triangles; ++i) {

@@ -22,7 +22,7 @@ LabelledScan
 smallRoomScan(std::size_t points);
 
 /** \brief Write a scan as a room of S3DIS: `Area_1/office_1/office_1.txt` and
- *  `Annotations/<class>_<k>.txt`, millimetres and whole colours. The file of the room
+ *  `Annotations/<class>_<k>.txt`, millimetres and whole colors. The file of the room
  *  has the order of the scan, which the annotations do not have.
  *  \param[in] folder an existing one, where Area_1 is made
  *  \return the folder of the room */

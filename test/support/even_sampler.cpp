@@ -103,7 +103,7 @@ struct PlanePoint {
   double squared_norm;
 };
 
-/// Uniform in the unit disc, away from its very centre.
+/// Uniform in the unit disc, away from its very center.
 PlanePoint
 drawInDisc(RandomGenerator& generator)
 {

@@ -18,7 +18,7 @@ namespace pcl_cid::test {
 
 /** \brief A horizontal rectangle that small things can stand on. */
 struct Support {
-  Pose pose;    ///< its centre and direction in plan
+  Pose pose;    ///< its center and direction in plan
   double width; ///< along its x axis
   double depth; ///< along its y axis
   double z;
@@ -36,12 +36,12 @@ struct Piece {
 Piece
 moved(const Piece& piece, const Pose& pose, double z = 0.0);
 
-/** \brief Centred on the origin: a top with four legs or, one time in three, a round
+/** \brief Centered on the origin: a top with four legs or, one time in three, a round
  *  top on a column. */
 Piece
 makeTable(RandomGenerator& generator);
 
-/** \brief Centred on the origin, looking along +y: seat, back and four legs. */
+/** \brief Centered on the origin, looking along +y: seat, back and four legs. */
 Piece
 makeChair(RandomGenerator& generator);
 
@@ -61,7 +61,7 @@ makeBoard(RandomGenerator& generator);
 Piece
 makePicture(RandomGenerator& generator);
 
-/** \brief A thing to stand about, centred on the origin: box, can or screen. */
+/** \brief A thing to stand about, centered on the origin: box, can or screen. */
 Piece
 makeClutter(RandomGenerator& generator);
 

@@ -82,7 +82,7 @@ describeBlindSpot(const std::optional<FilledBlindSpot>& spot,
   run.report.blind_spot = spot;
   if (!spot)
     return;
-  run.report.blind_spot->centre = frame.toFile(spot->centre);
+  run.report.blind_spot->center = frame.toFile(spot->center);
   run.console.value("Blind spot",
                     "floor within " + shortNumber(spot->radius) +
                         " metres under the sensor, filled with " +

@@ -94,7 +94,7 @@ struct DensityDecision {
  *  the surface. */
 struct FilledBlindSpot {
   /** In the frame of the input cloud. */
-  Eigen::Vector3d centre;
+  Eigen::Vector3d center;
   /** Metres. */
   float radius;
   /** Points that were added to the surface. */

@@ -128,77 +128,38 @@ constexpr float above_zero = std::numeric_limits<float>::min();
 constexpr double longest = 1e15;
 constexpr double shortest = 1e-15;
 
-inline constexpr NumberSetting<int> seeds{"Seeds",
-                                          "seeds",
-                                          "number of seeds",
-                                          "K",
-                                          "",
-                                          100,
-                                          1,
-                                          any_number,
-                                          "number of seeds"};
+// Each row: group, name, title, placeholder, unit, default, least, most, meaning, zero.
+// clang-format off
+
+inline constexpr NumberSetting<int> seeds{
+    "Seeds", "seeds", "number of seeds", "K", "", 100, 1, any_number,
+    "number of seeds"};
 
 inline constexpr NumberSetting<float> coverage{
-    "Seeds",
-    "coverage",
-    "coverage",
-    "R",
-    "metres",
-    0.0f,
-    above_zero,
-    any_length,
+    "Seeds", "coverage", "coverage", "R", "metres", 0.0f, above_zero, any_length,
     "stop when every point is within this CID of its seed",
     "for no limit"};
 
-inline constexpr NumberSetting<int> samples{"Seeds",
-                                            "samples",
-                                            "number of samples on a segment",
-                                            "M",
-                                            "",
-                                            100,
-                                            2,
-                                            1 << 20,
-                                            "samples on a segment (Eq. 2)"};
+inline constexpr NumberSetting<int> samples{
+    "Seeds", "samples", "number of samples on a segment", "M", "", 100, 2, 1 << 20,
+    "samples on a segment (Eq. 2)"};
 
 inline constexpr NumberSetting<int> subsample{
-    "Seeds",
-    "subsample",
-    "subsample",
-    "N",
-    "",
-    0,
-    0,
-    any_number,
+    "Seeds", "subsample", "subsample", "N", "", 0, 0, any_number,
     "work on a random draw of N points, which the others follow (the paper: 20000)",
     "for all"};
 
 inline constexpr NumberSetting<std::uint64_t> random_seed{
-    "Seeds",
-    "random_seed",
-    "random seed",
-    "S",
-    "",
-    0,
-    0,
+    "Seeds", "random_seed", "random seed", "S", "", 0, 0,
     std::numeric_limits<std::uint64_t>::max(),
     "of every random draw"};
 
 inline constexpr NumberSetting<int> start_index{
-    "Seeds",
-    "start_index",
-    "start index",
-    "I",
-    "",
-    0,
-    0,
-    any_number,
+    "Seeds", "start_index", "start index", "I", "", 0, 0, any_number,
     "first seed, a point of the input, instead of a random one"};
 
 inline constexpr ChoiceSetting<DensityWeight, 3> density{
-    "Raw scans",
-    "density",
-    "WHEN",
-    DensityWeight::automatic,
+    "Raw scans", "density", "WHEN", DensityWeight::automatic,
     {{{"auto", DensityWeight::automatic},
       {"off", DensityWeight::off},
       {"on", DensityWeight::on}}},
@@ -206,177 +167,81 @@ inline constexpr ChoiceSetting<DensityWeight, 3> density{
     "(the paper) or on"};
 
 inline constexpr NumberSetting<float> density_power{
-    "Raw scans",
-    "density_power",
-    "density power",
-    "P",
-    "",
-    1.0f,
-    0.0f,
-    4.0f,
+    "Raw scans", "density_power", "density power", "P", "", 1.0f, 0.0f, 4.0f,
     "power of the spacing that CIDs are divided by"};
 
 inline constexpr NumberSetting<int> isolated_neighbors{
-    "Raw scans",
-    "isolated_neighbors",
-    "least number of near neighbors",
-    "N",
-    "",
-    4,
-    0,
-    8,
+    "Raw scans", "isolated_neighbors", "least number of near neighbors", "N", "",
+    4, 0, 8,
     "points with fewer others near them do not become seeds",
     "to let all become seeds"};
 
 inline constexpr ChoiceSetting<SeedingRule, 2> seeding{
-    "Raw scans",
-    "seeding",
-    "RULE",
-    SeedingRule::farthest,
+    "Raw scans", "seeding", "RULE", SeedingRule::farthest,
     {{{"farthest", SeedingRule::farthest}, {"soft", SeedingRule::soft}}},
     "the next seed: farthest (the paper), or soft: drawn, the farther the likelier"};
 
 inline constexpr NumberSetting<float> color{
-    "Raw scans",
-    "color",
-    "color weight",
-    "LAMBDA",
-    "metres",
-    0.0f,
-    0.0f,
-    any_length,
+    "Raw scans", "color", "color weight", "LAMBDA", "metres", 0.0f, 0.0f, any_length,
     "what a unit of difference in CIE L*a*b* adds to a CID"};
 
 inline constexpr ChoiceSetting<bool, 2> blind_spot{
-    "Raw scans",
-    "blind_spot",
-    "WHEN",
-    true,
+    "Raw scans", "blind_spot", "WHEN", true,
     {{{"auto", true}, {"off", false}}},
-    "the floor that a scanner hides from itself is a part of the surface: auto (where "
-    "there is a hole under the viewpoint) or off"};
+    "the floor that a scanner hides from itself is a part of the surface: auto "
+    "(where there is a hole under the viewpoint) or off"};
 
-inline constexpr NumberSetting<int> parts{"Parts",
-                                          "parts",
-                                          "number of parts",
-                                          "K",
-                                          "",
-                                          30,
-                                          1,
-                                          any_number,
-                                          "merge groups until this many parts remain"};
+inline constexpr NumberSetting<int> parts{
+    "Parts", "parts", "number of parts", "K", "", 30, 1, any_number,
+    "merge groups until this many parts remain"};
 
 inline constexpr NumberSetting<double> threshold{
-    "Parts",
-    "threshold",
-    "merge threshold",
-    "R",
-    "metres",
-    0.0,
-    0.0,
-    longest,
+    "Parts", "threshold", "merge threshold", "R", "metres", 0.0, 0.0, longest,
     "merge while the smallest group CID is at most this"};
 
-inline constexpr NumberSetting<int> merges{"Parts",
-                                           "merges",
-                                           "number of merges",
-                                           "T",
-                                           "",
-                                           0,
-                                           0,
-                                           any_number,
-                                           "merge this many times"};
+inline constexpr NumberSetting<int> merges{
+    "Parts", "merges", "number of merges", "T", "", 0, 0, any_number,
+    "merge this many times"};
 
 inline constexpr NumberSetting<int> group_samples{
-    "Parts",
-    "group_samples",
-    "group sample size",
-    "G",
-    "",
-    32,
-    1,
-    1 << 20,
+    "Parts", "group_samples", "group sample size", "G", "", 32, 1, 1 << 20,
     "points drawn from each group; its group CIDs are means of so many pairs"};
 
 inline constexpr NumberSetting<int> min_points{
-    "Parts",
-    "min_points",
-    "least number of points of a part",
-    "N",
-    "",
-    1,
-    1,
+    "Parts", "min_points", "least number of points of a part", "N", "", 1, 1,
     any_number,
     "drop parts of fewer points; no hull covers those"};
 
 inline constexpr NumberSetting<double> min_thickness{
-    "Hulls",
-    "min_thickness",
-    "least thickness of a hull",
-    "R",
-    "metres",
-    0.005,
-    shortest,
-    longest,
+    "Hulls", "min_thickness", "least thickness of a hull", "R", "metres", 0.005,
+    shortest, longest,
     "thicken parts that are thinner than this"};
 
 inline constexpr NumberSetting<int> max_vertices{
-    "Hulls",
-    "max_vertices",
-    "largest number of vertices",
-    "N",
-    "",
-    0,
-    4,
-    any_number,
+    "Hulls", "max_vertices", "largest number of vertices", "N", "", 0, 4, any_number,
     "most vertices of a hull; larger ones are simplified outward",
     "for any number"};
 
-inline constexpr NumberSetting<double> padding{"Hulls",
-                                               "padding",
-                                               "padding",
-                                               "R",
-                                               "metres",
-                                               0.0,
-                                               0.0,
-                                               longest,
-                                               "grow hulls outward by this"};
+inline constexpr NumberSetting<double> padding{
+    "Hulls", "padding", "padding", "R", "metres", 0.0, 0.0, longest,
+    "grow hulls outward by this"};
 
 inline constexpr NumberSetting<double> trim_distance{
-    "Hulls",
-    "trim_distance",
-    "trim distance",
-    "R",
-    "metres",
-    0.0,
-    0.0,
-    longest,
-    "leave stray points out of hulls: clusters that are farther from the bulk of their "
-    "part than this",
+    "Hulls", "trim_distance", "trim distance", "R", "metres", 0.0, 0.0, longest,
+    "leave stray points out of hulls: clusters that are farther from the bulk of "
+    "their part than this",
     "for none"};
 
 inline constexpr NumberSetting<double> free_distance{
-    "Hulls",
-    "free_distance",
-    "free distance",
-    "R",
-    "metres",
-    0.05,
-    shortest,
-    longest,
+    "Hulls", "free_distance", "free distance", "R", "metres", 0.05, shortest, longest,
     "space that is farther than this from the scan counts as free"};
 
 inline constexpr NumberSetting<unsigned int> threads{
-    "Run",
-    "threads",
-    "number of threads",
-    "T",
-    "",
-    0,
-    0,
-    1024,
+    "Run", "threads", "number of threads", "T", "", 0, 0, 1024,
     "number of threads, which never changes a result",
     "for all"};
+
+// clang-format on
 
 } // namespace setting
 

@@ -48,8 +48,8 @@ localOrigin(const Points& points)
   if (size == 0.0)
     return box.min();
   const double unit = std::exp2(std::ceil(std::log2(size)));
-  return box.center().unaryExpr([unit](double centre) {
-    return std::abs(centre) < 2.0 * unit ? 0.0 : std::round(centre / unit) * unit;
+  return box.center().unaryExpr([unit](double center) {
+    return std::abs(center) < 2.0 * unit ? 0.0 : std::round(center / unit) * unit;
   });
 }
 

@@ -67,7 +67,7 @@ struct PointBox {
   Eigen::Array4f high;
 
   Eigen::Vector3f
-  centre() const
+  center() const
   {
     return (0.5f * (low + high)).matrix().head<3>();
   }

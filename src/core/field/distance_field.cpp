@@ -142,7 +142,7 @@ DistanceField::nearest(const Eigen::Vector3f& x) const
   const int found = search().nearestKSearch(
       pcl::PointXYZ(x.x(), x.y(), x.z()), 1, index, squared_distance);
   if (found != 1)
-    throw CIDException("the search method found no neighbour; it must answer every "
+    throw CIDException("the search method found no neighbor; it must answer every "
                        "finite query on a surface of at least 1 point");
   return index[0];
 }

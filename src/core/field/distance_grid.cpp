@@ -9,13 +9,13 @@
  */
 
 #include "distance_grid.h"
-#include "base/rounding.h"
+#include "grid_growth.h"
 
 #include "base/parallel_for.h"
+#include "base/rounding.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -40,123 +40,6 @@ constexpr int most_piece_bits = 3;
 
 } // namespace
 
-/** A cell that is being built. */
-struct DistanceGrid::Region {
-  int x = 0, y = 0, z = 0; ///< its corner, in finest cells
-  int shift = levels;
-  std::int32_t slot = 0; ///< the surface point nearest to the center c
-  float distance = 0.0f; ///< d(c)
-  /** Nodes that can hold the nearest point of an x inside; no two overlap. */
-  std::vector<std::int32_t> nodes;
-
-  Place
-  corner() const
-  {
-    return {x, y, z, true};
-  }
-
-  /** Corner of one of its eight parts. */
-  Place
-  octant(int number) const
-  {
-    const int half = 1 << (shift - 1);
-    return {x + (number & 1 ? half : 0),
-            y + (number & 2 ? half : 0),
-            z + (number & 4 ? half : 0),
-            true};
-  }
-};
-
-/** Nodes and, as columns for SIMD, their boxes. */
-struct DistanceGrid::Boxes {
-  std::vector<std::int32_t> nodes;
-  Eigen::Array<float, Eigen::Dynamic, 6> sides; ///< at least as many rows
-  /** Along each axis, from the centers of the lower and of the upper half of a region;
-   *  likewise. */
-  Eigen::Array<float, Eigen::Dynamic, 6> squared_gap;
-  Eigen::ArrayXf squared_distance; ///< likewise
-
-  Eigen::Index
-  size() const
-  {
-    return static_cast<Eigen::Index>(nodes.size());
-  }
-
-  void
-  load(const BlockTree& tree)
-  {
-    if (sides.rows() < size()) {
-      sides.resize(2 * size(), 6);
-      squared_gap.resize(2 * size(), 6);
-      squared_distance.resize(2 * size());
-    }
-    for (Eigen::Index k = 0; k < size(); ++k) {
-      const PointBox& box =
-          tree.box(static_cast<std::size_t>(nodes[static_cast<std::size_t>(k)]));
-      for (int axis = 0; axis < 3; ++axis) {
-        sides(k, axis) = box.low[axis];
-        sides(k, axis + 3) = box.high[axis];
-      }
-    }
-  }
-
-  /** \param[in] centre of the octant that is lowest along each axis
-   *  \param[in] opposite center of the one that is highest along each */
-  void
-  measureGaps(const Eigen::Vector3f& centre, const Eigen::Vector3f& opposite)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int upper : {0, 1}) {
-        const float p = upper == 0 ? centre[axis] : opposite[axis];
-        squared_gap.col(2 * axis + upper).head(size()) =
-            (sides.col(axis).head(size()) - p)
-                .max(p - sides.col(axis + 3).head(size()))
-                .max(0.0f)
-                .square();
-      }
-  }
-
-  /** From the center of an octant: along each axis the eight centers have only two
-   *  coordinates. */
-  void
-  measure(int octant)
-  {
-    const auto gap = [&](int axis) {
-      return squared_gap.col(2 * axis + ((octant >> axis) & 1)).head(size());
-    };
-    squared_distance.head(size()) = gap(0) + gap(1) + gap(2);
-  }
-};
-
-/** A piece that is being built. */
-struct DistanceGrid::Growth {
-  Piece& piece;
-  std::size_t budget; ///< bytes
-  Progress& progress;
-  std::array<Region, levels + 1> regions; ///< the one that is being divided, by level
-  std::array<Boxes, levels + 1> boxes;
-
-  bool
-  hasMemory() const
-  {
-    return piece.bytes() < budget;
-  }
-};
-
-/** A list that the parts of a region share; made when the first of them needs it. */
-struct DistanceGrid::SharedList {
-  const Region& region;
-  std::uint32_t list;
-
-  std::uint32_t
-  make(const DistanceGrid& grid, Growth& growth)
-  {
-    if (list == 0)
-      list = grid.makeList(region, growth);
-    return list;
-  }
-};
-
 DistanceGrid::DistanceGrid(const BlockTree& tree,
                            std::size_t memory_budget,
                            int threads,
@@ -167,7 +50,7 @@ DistanceGrid::DistanceGrid(const BlockTree& tree,
   const float size = (box.high - box.low).maxCoeff();
   const float magnitude = std::max(box.low.abs().maxCoeff(), box.high.abs().maxCoeff());
   const float side = std::max(1.01f * size, 1e-6f * magnitude + 1e-20f);
-  corner_ = box.centre() - Eigen::Vector3f::Constant(0.5f * side);
+  corner_ = box.center() - Eigen::Vector3f::Constant(0.5f * side);
   finest_ = std::ldexp(side, -levels);
   inverse_finest_ = 1.0f / finest_;
   slack_ = rounding::ofSample(magnitude + 2.0f * side);
@@ -260,9 +143,9 @@ DistanceGrid::wholeRegion() const
 {
   Region whole;
   whole.nodes = {1};
-  const Eigen::Vector3f centre = centreOf(whole.corner(), levels);
+  const Eigen::Vector3f center = centerOf(whole.corner(), levels);
   BlockTree::Nearest nearest;
-  tree_.descend(1, padded(centre), nearest);
+  tree_.descend(1, padded(center), nearest);
   whole.slot = nearest.slot;
   whole.distance = std::sqrt(nearest.squared_distance);
   return whole;
@@ -286,8 +169,8 @@ DistanceGrid::open(const Region& region, Boxes& boxes) const
     nodes.push_back(static_cast<std::int32_t>(2 * node + 1));
   }
   boxes.load(tree_);
-  boxes.measureGaps(centreOf(region.octant(0), region.shift - 1),
-                    centreOf(region.octant(7), region.shift - 1));
+  boxes.measureGaps(centerOf(region.octant(0), region.shift - 1),
+                    centerOf(region.octant(7), region.shift - 1));
 }
 
 /** One eighth of a region. */
@@ -302,8 +185,8 @@ DistanceGrid::makePart(const Region& whole,
   part.x = corner.x;
   part.y = corner.y;
   part.z = corner.z;
-  const Eigen::Vector3f centre = centreOf(corner, part.shift);
-  const Eigen::Array4f x = padded(centre);
+  const Eigen::Vector3f center = centerOf(corner, part.shift);
+  const Eigen::Array4f x = padded(center);
   boxes.measure(octant);
   // Start with the point nearest to the whole's center: few others are nearer. Its
   // distance is rounded up, so the search finds that point again and sets its exact
@@ -311,7 +194,7 @@ DistanceGrid::makePart(const Region& whole,
   BlockTree::Nearest nearest;
   nearest.slot = whole.slot;
   nearest.squared_distance =
-      (centre - tree_.position(whole.slot)).squaredNorm() * rounding::widening;
+      (center - tree_.position(whole.slot)).squaredNorm() * rounding::widening;
   for (Eigen::Index k = 0; k < boxes.size(); ++k)
     if (boxes.squared_distance[k] <= nearest.squared_distance * rounding::widening)
       tree_.descend(static_cast<std::size_t>(boxes.nodes[static_cast<std::size_t>(k)]),
@@ -344,9 +227,9 @@ bool
 DistanceGrid::isVisited(const Region& cell) const
 {
   const PointBox& box = tree_.box(1);
-  const Eigen::Array4f centre = padded(centreOf(cell.corner(), cell.shift));
+  const Eigen::Array4f center = padded(centerOf(cell.corner(), cell.shift));
   const float half = 0.5f * finest_ * static_cast<float>(1 << cell.shift) + slack_;
-  return (centre - half <= box.high).all() && (centre + half >= box.low).all();
+  return (center - half <= box.high).all() && (center + half >= box.low).all();
 }
 
 /** Whether a cell is worth dividing. At x = c + e, |x - n| exceeds d(x) by no more than

@@ -62,7 +62,7 @@ public:
     const Place place = placeOf(x);
     const Leaf leaf = leafAt(place);
     const Eigen::Vector3f& nearest = tree_.position(leaf.slot);
-    return {{lowerBound(x, centreOf(place, leaf.shift), nearest),
+    return {{lowerBound(x, centerOf(place, leaf.shift), nearest),
              (x - nearest).norm() * rounding::norm_widening + slack_},
             nearest};
   }
@@ -73,7 +73,7 @@ public:
   {
     const Place place = placeOf(x);
     const Leaf leaf = leafAt(place);
-    return lowerBound(x, centreOf(place, leaf.shift), tree_.position(leaf.slot));
+    return lowerBound(x, centerOf(place, leaf.shift), tree_.position(leaf.slot));
   }
 
   /** \brief Only the surface point of a look. */
@@ -214,15 +214,15 @@ private:
   /** \param[in] nearest to the center of the cell of x */
   float
   lowerBound(const Eigen::Vector3f& x,
-             const Eigen::Vector3f& centre,
+             const Eigen::Vector3f& center,
              const Eigen::Vector3f& nearest) const
   {
-    return (centre - nearest).norm() * rounding::norm_narrowing -
-           (x - centre).norm() * rounding::norm_widening - slack_;
+    return (center - nearest).norm() * rounding::norm_narrowing -
+           (x - center).norm() * rounding::norm_widening - slack_;
   }
 
   Eigen::Vector3f
-  centreOf(const Place& at, int shift) const
+  centerOf(const Place& at, int shift) const
   {
     const float half = 0.5f * static_cast<float>(1 << shift);
     const auto middle = [&](int v) {

@@ -45,12 +45,12 @@ BlockGroups::compareNode(std::size_t node,
                          std::size_t& hint) const
 {
   const float beaten_at = beatenAt(node, seed);
-  const Eigen::Vector3f centre = tree().box(node).centre();
+  const Eigen::Vector3f center = tree().box(node).center();
   const float radius = tree().box(node).radius();
-  if (beaten_at == infinity || 2.0f * radius > (centre - seed.point.position).norm())
+  if (beaten_at == infinity || 2.0f * radius > (center - seed.point.position).norm())
     return false; // too coarse to tell
   const PairCost least = points_.costs().least(node, seed.point.index);
-  const SegmentSamples segment(seed.point.position, centre, order_.samples());
+  const SegmentSamples segment(seed.point.position, center, order_.samples());
   float largest = -infinity;
   std::size_t largest_at = hint;
   const auto loses = [&](std::size_t l) {
@@ -97,10 +97,10 @@ BlockGroups::compareBlock(std::size_t node,
                           Scratch& scratch)
 {
   const float beaten_at = beatenAt(node, seed);
-  const Eigen::Vector3f centre = tree().box(node).centre();
+  const Eigen::Vector3f center = tree().box(node).center();
   const float radius = tree().box(node).radius();
   const PairCost least = points_.costs().least(node, seed.point.index);
-  const SegmentSamples segment(seed.point.position, centre, order_.samples());
+  const SegmentSamples segment(seed.point.position, center, order_.samples());
   SampleCaps caps(segment, order_, scratch.caps);
   caps.reset();
   Rival rival{seed.id, 0.0f, 0.0f, hint};

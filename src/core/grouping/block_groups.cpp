@@ -182,10 +182,10 @@ BlockGroups::adopt(std::size_t b, Scratch& scratch)
 {
   const std::size_t node = tree().nodeOfBlock(b);
   upper_[node] = infinity;
-  const Eigen::Vector3f centre = tree().box(node).centre();
+  const Eigen::Vector3f center = tree().box(node).center();
   std::vector<std::pair<float, std::int32_t>> order;
   for (const std::int32_t id : ranked_)
-    order.emplace_back((seed(id).point.position - centre).squaredNorm(), id);
+    order.emplace_back((seed(id).point.position - center).squaredNorm(), id);
   std::sort(order.begin(), order.end());
   for (const auto& [squared_distance, id] : order)
     compareBlock(node, {seed(id).point, id, false}, order_.last() / 2, scratch);

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "contender.h"
 #include "soft_draw.h"
 
 #include "base/parallel_for.h"
@@ -17,7 +18,6 @@
 #include "field/distance_grid.h"
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -154,31 +154,6 @@ private:
 
   /** The state of a point before any comparison. */
   static const State unknown;
-
-  /** A seed that a point may belong to. */
-  struct Contender {
-    std::int32_t id;
-    std::size_t rank;
-    float low;               ///< at most the cost of the two
-    bool is_exact = false;   ///< it is the cost
-    std::size_t hint = 0;    ///< the sample to look at first
-    std::int32_t rival = -1; ///< its place among the rivals of the block
-
-    /** The smaller CID wins; at equal CID the earlier seed. */
-    bool
-    operator<(const Contender& other) const
-    {
-      return low < other.low || (low == other.low && rank < other.rank);
-    }
-
-    /** The cost of this one from which on the other one wins. */
-    float
-    limitAgainst(const Contender& other) const
-    {
-      constexpr float infinity = std::numeric_limits<float>::infinity();
-      return rank < other.rank ? std::nextafter(other.low, infinity) : other.low;
-    }
-  };
 
   /** A point that is compared. */
   struct Target {

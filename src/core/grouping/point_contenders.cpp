@@ -103,7 +103,7 @@ BlockGroups::keepHints(std::size_t b, const std::vector<Contender>& contenders)
 /** Whoever has the smallest lower bound is compared with the second smallest, which
  *  shows that its cost is the smallest of all, or raises its bound.
  *  \return nothing when that takes many rounds; the more seeds, the fewer are tried */
-std::optional<BlockGroups::Contender>
+std::optional<Contender>
 BlockGroups::nearestOfFew(const Target& point, bool exactly, Scratch& scratch) const
 {
   std::vector<Contender>& open = scratch.contenders;
@@ -132,7 +132,7 @@ BlockGroups::nearestOfFew(const Target& point, bool exactly, Scratch& scratch) c
  *  once.
  *  \param[in] likely the one to compare first; it does not decide who wins
  *  \param[in] high at least the winner's cost */
-BlockGroups::Contender
+Contender
 BlockGroups::nearestOfMany(const Target& point,
                            std::int32_t likely,
                            float high,

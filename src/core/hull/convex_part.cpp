@@ -69,7 +69,7 @@ feasibleThickness(const PrincipalBox& box,
                   double min_thickness)
 {
   constexpr double resolution = 1e-10; // of double, with six digits to spare
-  const double farthest = (origin + box.centre).cwiseAbs().maxCoeff();
+  const double farthest = (origin + box.center).cwiseAbs().maxCoeff();
   return std::max(
       {min_thickness, hull_tolerance * box.extents.norm(), resolution * farthest});
 }

@@ -170,11 +170,11 @@ private:
   bool
   holdsBall(double radius) const
   {
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& v : hull_.vertices)
-      centre += v / static_cast<double>(hull_.vertices.size());
+      center += v / static_cast<double>(hull_.vertices.size());
     return std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-      return -face.excess(centre) >= radius;
+      return -face.excess(center) >= radius;
     });
   }
 
@@ -220,11 +220,11 @@ private:
       if (ends.first > ends.second)
         continue;
       const Eigen::Vector3d& begin = hull_.vertices[ends.first];
-      const std::size_t neighbour = face_of_edge.at({ends.second, ends.first});
+      const std::size_t neighbor = face_of_edge.at({ends.second, ends.first});
       edges.push_back({begin,
                        hull_.vertices[ends.second] - begin,
                        faces_[face].normal,
-                       faces_[neighbour].normal});
+                       faces_[neighbor].normal});
     }
     return edges;
   }

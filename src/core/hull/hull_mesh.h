@@ -53,7 +53,7 @@ struct HullEdge {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint32_t triangle;
-  std::uint32_t neighbour;
+  std::uint32_t neighbor;
 };
 
 /** \brief The edges of a mesh, each once; none at all when the mesh is not closed, that

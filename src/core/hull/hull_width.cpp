@@ -24,11 +24,11 @@ namespace {
 class VertexGraph {
 public:
   VertexGraph(const TriangleMesh& hull, const std::vector<HullEdge>& edges)
-  : vertices_(hull.vertices), neighbours_(hull.vertices.size())
+  : vertices_(hull.vertices), neighbors_(hull.vertices.size())
   {
     for (const HullEdge& edge : edges) {
-      neighbours_[edge.begin].push_back(edge.end);
-      neighbours_[edge.end].push_back(edge.begin);
+      neighbors_[edge.begin].push_back(edge.end);
+      neighbors_[edge.end].push_back(edge.begin);
     }
   }
 
@@ -39,9 +39,9 @@ public:
   }
 
   const std::vector<std::uint32_t>&
-  neighboursOf(std::uint32_t vertex) const
+  neighborsOf(std::uint32_t vertex) const
   {
-    return neighbours_[vertex];
+    return neighbors_[vertex];
   }
 
   /** \brief The vertex farthest along a direction. */
@@ -52,7 +52,7 @@ public:
     double height = direction.dot(vertices_[start]);
     for (bool climbed = true; climbed;) {
       climbed = false;
-      for (const std::uint32_t v : neighbours_[best])
+      for (const std::uint32_t v : neighbors_[best])
         if (const double other = direction.dot(vertices_[v]); other > height) {
           height = other;
           best = v;
@@ -65,7 +65,7 @@ public:
 
 private:
   const std::vector<Eigen::Vector3d>& vertices_;
-  std::vector<std::vector<std::uint32_t>> neighbours_;
+  std::vector<std::vector<std::uint32_t>> neighbors_;
 };
 
 void
@@ -121,7 +121,7 @@ public:
   : graph_(graph)
   , corner_(edge.begin)
   , x_axis_(faces[edge.triangle].normal)
-  , y_axis_(faces[edge.neighbour].normal)
+  , y_axis_(faces[edge.neighbor].normal)
   {
     const Eigen::Vector3d second_normal = y_axis_;
     y_axis_ -= y_axis_.dot(x_axis_) * x_axis_;
@@ -163,7 +163,7 @@ private:
   {
     std::uint32_t best = at;
     Eigen::Vector2d best_way = Eigen::Vector2d::Zero();
-    for (const std::uint32_t v : graph_.neighboursOf(at)) {
+    for (const std::uint32_t v : graph_.neighborsOf(at)) {
       const Eigen::Vector2d way = seen(at, v);
       const double turn = cross(best_way, way);
       if (turn < 0.0 || (turn == 0.0 && way.squaredNorm() > best_way.squaredNorm())) {
@@ -203,12 +203,12 @@ leastWidth(const TriangleMesh& hull)
   const std::vector<std::uint32_t> opposite = oppositeVertices(faces, graph, least);
   for (const HullEdge& edge : edges) {
     const Eigen::Vector3d& first = faces[edge.triangle].normal;
-    const Eigen::Vector3d& second = faces[edge.neighbour].normal;
+    const Eigen::Vector3d& second = faces[edge.neighbor].normal;
     const auto bound = [&](std::uint32_t vertex) {
       return leastBetween(
           graph.position(edge.begin) - graph.position(vertex), first, second);
     };
-    if (std::max(bound(opposite[edge.triangle]), bound(opposite[edge.neighbour])) <
+    if (std::max(bound(opposite[edge.triangle]), bound(opposite[edge.neighbor])) <
         least.width)
       ViewAlongEdge(graph, edge, faces)
           .improve(opposite[edge.triangle], hull.vertices.size(), least);

@@ -26,13 +26,13 @@ principalBox(const std::vector<Eigen::Vector3d>& points)
     covariance += (p - mean) * (p - mean).transpose();
 
   PrincipalBox box;
-  box.centre = mean;
+  box.center = mean;
   box.axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
   box.axes.col(2) = box.axes.col(0).cross(box.axes.col(1));
   Eigen::AlignedBox3d local;
   for (const Eigen::Vector3d& p : points)
     local.extend(box.toLocal(p));
-  box.centre = box.fromLocal(local.center());
+  box.center = box.fromLocal(local.center());
   box.extents = local.sizes();
   return box;
 }

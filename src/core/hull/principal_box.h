@@ -17,7 +17,7 @@ namespace pcl_cid {
 
 /** \brief The principal axes of some points and their extent along each. */
 struct PrincipalBox {
-  Eigen::Vector3d centre;
+  Eigen::Vector3d center;
   Eigen::Matrix3d axes; ///< columns, a right-handed basis
   Eigen::Vector3d extents;
 
@@ -25,13 +25,13 @@ struct PrincipalBox {
   Eigen::Vector3d
   toLocal(const Eigen::Vector3d& p) const
   {
-    return axes.transpose() * (p - centre);
+    return axes.transpose() * (p - center);
   }
 
   Eigen::Vector3d
   fromLocal(const Eigen::Vector3d& local) const
   {
-    return centre + axes * local;
+    return center + axes * local;
   }
 };
 

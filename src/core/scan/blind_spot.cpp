@@ -272,7 +272,7 @@ fill(const Floor& floor, float radius, float spacing)
       const Eigen::Vector2f at =
           step * Eigen::Vector2f(static_cast<float>(i), static_cast<float>(k));
       if (at.norm() <= radius)
-        spot.filling.push_back(spot.centre + at.x() * plumb.aside +
+        spot.filling.push_back(spot.center + at.x() * plumb.aside +
                                at.y() * plumb.across);
     }
   return spot;

@@ -22,7 +22,7 @@ namespace pcl_cid {
 /** \brief A disc of floor that was not seen. */
 struct BlindSpot {
   /** On the floor, under the sensor. */
-  Eigen::Vector3f centre;
+  Eigen::Vector3f center;
   /** Metres. */
   float radius;
   /** Points of the disc, on a square lattice with the spacing of the floor around it,

@@ -11,6 +11,7 @@
 #include "isolated_points.h"
 #include "lab_color.h"
 #include "local_spacing.h"
+#include "raw_scan_checks.h"
 #include "working_set.h"
 
 #include "base/parallel_for.h"
@@ -28,63 +29,6 @@
 
 namespace pcl_cid {
 namespace {
-
-/** Beyond this, squared distances come too close to the largest float. */
-constexpr float largest_coordinate = 1e15f;
-
-void
-requireModerate(const Points& points)
-{
-  for (const Eigen::Vector3f& p : points) {
-    if (!p.allFinite())
-      throw CIDException(sentence("a point is (",
-                                  p.x(),
-                                  ", ",
-                                  p.y(),
-                                  ", ",
-                                  p.z(),
-                                  "); all points to prepare must be finite"));
-    if (p.cwiseAbs().maxCoeff() > largest_coordinate)
-      throw CIDException(sentence("a coordinate is ",
-                                  p.cwiseAbs().maxCoeff(),
-                                  " from the middle of the cloud; it must be within ",
-                                  largest_coordinate));
-  }
-}
-
-/** Indices of the cloud: results are written to these places. */
-void
-requireIndices(const PointSet& points, std::size_t cloud_size)
-{
-  const pcl::Indices& source = points.source;
-  if (source.size() != points.size())
-    throw CIDException(sentence("there are ",
-                                points.size(),
-                                " points and ",
-                                source.size(),
-                                " indices; there must be one for each point"));
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    requireIndex("index of a point", source[i], cloud_size);
-    if (i > 0 && source[i] <= source[i - 1])
-      throw CIDException(sentence("the indices of the points hold ",
-                                  source[i],
-                                  " after ",
-                                  source[i - 1],
-                                  "; they must ascend"));
-  }
-}
-
-void
-requireColors(const std::vector<ColorRGB>& colors, std::size_t points)
-{
-  if (colors.size() != points)
-    throw CIDException(sentence("there are ",
-                                colors.size(),
-                                " colors; where the color weight is above 0 there must "
-                                "be one for each of the ",
-                                points,
-                                " points"));
-}
 
 /** Position of a point of the input cloud, -1 when it is not among the points. */
 pcl::index_t
@@ -179,17 +123,6 @@ colorsInMetres(const WorkingSet& working,
   return in_metres;
 }
 
-void
-requireInRange(const PreparationSettings& settings)
-{
-  require(setting::subsample, settings.subsample);
-  require(setting::density_power, settings.density_power);
-  require(setting::isolated_neighbors, settings.isolated_neighbors);
-  require(setting::color, settings.color);
-  if (settings.start_index)
-    require(setting::start_index, *settings.start_index);
-}
-
 DistanceField::Options
 fieldOptions(const PreparationSettings& settings, const ExecutionOptions& execution)
 {
@@ -240,7 +173,7 @@ public:
   void
   run()
   {
-    check();
+    requireUsable(scan_, settings_);
     const pcl::Indices candidates = candidatePositions(scan_.points, settings_);
     const pcl::Indices required = requiredPositions(candidates);
     const SurfacePoints surface = surfaceOf();
@@ -261,18 +194,6 @@ public:
   }
 
 private:
-  void
-  check() const
-  {
-    requireInRange(settings_);
-    requirePoints(scan_.points.points);
-    requireIndices(scan_.points, scan_.cloud_size);
-    if (settings_.color > 0.0f)
-      requireColors(scan_.colors, scan_.points.size());
-    requireModerate(scan_.points.points);
-    requireModerate(scan_.surface);
-  }
-
   bool
   drawsSubsample() const
   {
@@ -309,7 +230,7 @@ private:
         findBlindSpot(scan_.points.points, *scan_.sensor, execution_);
     if (!spot)
       return surface;
-    made_.blind_spot_ = {scan_.points.frame.toFile(spot->centre.cast<double>()),
+    made_.blind_spot_ = {scan_.points.frame.toFile(spot->center.cast<double>()),
                          spot->radius,
                          spot->filling.size()};
     surface.filling = std::move(spot->filling);

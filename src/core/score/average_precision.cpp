@@ -7,7 +7,7 @@
  * Predictions matched to the truth, and the average precision of the matches.
  */
 
-#include <pcl_cid/core/average_precision.h>
+#include "average_precision.h"
 
 #include <algorithm>
 #include <limits>

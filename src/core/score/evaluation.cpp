@@ -10,7 +10,7 @@
 #include "base/sentence.h"
 #include "instance_coverage.h"
 
-#include <pcl_cid/core/average_precision.h>
+#include "average_precision.h"
 #include <pcl_cid/core/evaluation.h>
 #include <pcl_cid/exceptions.h>
 

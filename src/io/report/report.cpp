@@ -58,7 +58,7 @@ densityOf(const DensityDecision& density)
 Json
 blindSpotOf(const FilledBlindSpot& spot)
 {
-  return {{"centre", {spot.centre.x(), spot.centre.y(), spot.centre.z()}},
+  return {{"centre", {spot.center.x(), spot.center.y(), spot.center.z()}},
           {"radius", spot.radius},
           {"points", spot.points}};
 }

@@ -21,8 +21,8 @@ struct LCCPSettings {
   double voxel_spacings; ///< edge of a voxel in point spacings
   double seed_voxels;    ///< edge of a supervoxel in voxels
   double angle;          ///< concavity tolerance, degrees
-  unsigned int least;    ///< supervoxels below which a part joins a neighbour
-  unsigned int common;   ///< neighbours that must be convex, too ("extended convexity")
+  unsigned int least;    ///< supervoxels below which a part joins a neighbor
+  unsigned int common;   ///< neighbors that must be convex, too ("extended convexity")
 };
 
 // What PCL's example of LCCP (examples/segmentation) begins with.

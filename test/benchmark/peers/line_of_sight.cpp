@@ -36,10 +36,10 @@ LineOfSight::separates(std::size_t disc,
                        const Eigen::Vector3f& to) const
 {
   const Eigen::Vector3f& normal = surface_.normals[disc];
-  const Eigen::Vector3f& centre = surface_.points[disc];
-  const float side_from = normal.dot(from - centre);
-  const float side_to = normal.dot(to - centre);
-  return (here - centre).norm() < reach_ && (side_from > 0.0f) != (side_to > 0.0f) &&
+  const Eigen::Vector3f& center = surface_.points[disc];
+  const float side_from = normal.dot(from - center);
+  const float side_to = normal.dot(to - center);
+  return (here - center).norm() < reach_ && (side_from > 0.0f) != (side_to > 0.0f) &&
          std::min(std::abs(side_from), std::abs(side_to)) > reach_;
 }
 

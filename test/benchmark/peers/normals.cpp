@@ -53,7 +53,7 @@ lookAtViewpoints(const Vectors& points, const Vectors& viewpoints, Vectors& norm
 }
 
 Eigen::Vector3f
-centreOf(const Vectors& points)
+centerOf(const Vectors& points)
 {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& point : points)
@@ -108,12 +108,12 @@ followTree(const Vectors& points,
 } // namespace
 
 pcl::PointCloud<pcl::Normal>::Ptr
-estimateNormals(const Cloud::ConstPtr& cloud, int neighbours)
+estimateNormals(const Cloud::ConstPtr& cloud, int neighbors)
 {
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setInputCloud(cloud);
   estimation.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
-  estimation.setKSearch(neighbours);
+  estimation.setKSearch(neighbors);
   auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   estimation.compute(*normals);
   return normals;
@@ -129,8 +129,8 @@ orientNormals(const Vectors& points,
   switch (orientation) {
   case Orientation::viewpoint:
     return lookAtViewpoints(points, viewpoints, normals);
-  case Orientation::centre:
-    return lookAtViewpoints(points, {centreOf(points)}, normals);
+  case Orientation::center:
+    return lookAtViewpoints(points, {centerOf(points)}, normals);
   case Orientation::tree:
     return followTree(points, graph, normals);
   }

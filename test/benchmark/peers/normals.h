@@ -17,14 +17,14 @@
 
 namespace pcl_cid::benchmarks {
 
-/** \brief pcl::NormalEstimation from so many neighbours, with their curvatures. */
+/** \brief pcl::NormalEstimation from so many neighbors, with their curvatures. */
 pcl::PointCloud<pcl::Normal>::Ptr
-estimateNormals(const Cloud::ConstPtr& cloud, int neighbours);
+estimateNormals(const Cloud::ConstPtr& cloud, int neighbors);
 
 /** \brief Which side of a surface is the outside. */
 enum class Orientation {
   viewpoint, ///< that of the sensor which most likely saw the point
-  centre,    ///< that of the middle of the bounding box, for rooms seen from inside
+  center,    ///< that of the middle of the bounding box, for rooms seen from inside
   tree       ///< a spanning tree of least turns, from the highest point, which looks up
 };
 
@@ -35,7 +35,7 @@ enum class Orientation {
  *  `tree`: H. Hoppe et al., "Surface Reconstruction from Unorganized Points", 1992; in
  *  every connected piece of the graph the highest point looks up.
  *  \param[in] points the points
- *  \param[in] graph neighbours of each point, symmetric; for `tree`
+ *  \param[in] graph neighbors of each point, symmetric; for `tree`
  *  \param[in] viewpoints at least one; for `viewpoint`
  *  \param[in,out] normals unit vectors, one for each point */
 void

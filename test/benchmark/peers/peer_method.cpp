@@ -41,11 +41,11 @@ pointSpacing(const Cloud& cloud)
 {
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud.makeShared());
-  pcl::Indices neighbours;
+  pcl::Indices neighbors;
   std::vector<float> squared;
   std::vector<float> nearest;
   for (const pcl::PointXYZ& point : cloud)
-    if (tree.nearestKSearch(point, 2, neighbours, squared) == 2)
+    if (tree.nearestKSearch(point, 2, neighbors, squared) == 2)
       nearest.push_back(squared[1]);
   const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
   std::nth_element(nearest.begin(), middle, nearest.end());

@@ -84,7 +84,7 @@ regionGrowingRuns(const PeerScan& scan);
 std::vector<PeerRun>
 wcsegRuns(const PeerScan& scan);
 
-/** \brief Median distance from a point to its nearest neighbour: what lengths of a
+/** \brief Median distance from a point to its nearest neighbor: what lengths of a
  *  sweep are multiples of, for clouds of any unit and density.
  *  \throws CIDException when it is 0 */
 double

@@ -19,13 +19,13 @@ namespace pcl_cid::benchmarks {
 namespace {
 
 struct GrowingSettings {
-  int normal_neighbours;
-  double angle;     ///< between the normals of neighbours, degrees
+  int normal_neighbors;
+  double angle;     ///< between the normals of neighbors, degrees
   double curvature; ///< of a point that the region goes on from
 };
 
 // Those of PCL's tutorial on region growing.
-constexpr unsigned int neighbours = 30;
+constexpr unsigned int neighbors = 30;
 constexpr int least_points = 50;
 
 Measurement
@@ -34,8 +34,8 @@ segment(const PeerScan& scan, const GrowingSettings& settings)
   pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
   growing.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
   growing.setInputCloud(scan.cloud);
-  growing.setInputNormals(estimateNormals(scan.cloud, settings.normal_neighbours));
-  growing.setNumberOfNeighbours(neighbours);
+  growing.setInputNormals(estimateNormals(scan.cloud, settings.normal_neighbors));
+  growing.setNumberOfNeighbors(neighbors);
   growing.setMinClusterSize(least_points);
   growing.setSmoothnessThreshold(static_cast<float>(settings.angle * M_PI / 180.0));
   growing.setCurvatureThreshold(static_cast<float>(settings.curvature));
@@ -53,7 +53,7 @@ segment(const PeerScan& scan, const GrowingSettings& settings)
 std::vector<Report::Parameter>
 describe(const GrowingSettings& settings)
 {
-  return {{"normal_neighbours", std::int64_t(settings.normal_neighbours)},
+  return {{"normal_neighbors", std::int64_t(settings.normal_neighbors)},
           {"smoothness", settings.angle},
           {"curvature", settings.curvature}};
 }
@@ -64,10 +64,10 @@ std::vector<PeerRun>
 regionGrowingRuns(const PeerScan& scan)
 {
   std::vector<PeerRun> runs;
-  for (const int normal_neighbours : {30, 60})
+  for (const int normal_neighbors : {30, 60})
     for (const double angle : {2.0, 4.0, 8.0, 15.0})
       for (const double curvature : {0.01, 0.05, 1.0}) {
-        const GrowingSettings settings{normal_neighbours, angle, curvature};
+        const GrowingSettings settings{normal_neighbors, angle, curvature};
         runs.push_back({"region_growing", describe(settings), [=, &scan] {
                           return segment(scan, settings);
                         }});

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points with normals in a graph of neighbours.
+ * Points with normals in a graph of neighbors.
  */
 
 #include "surface_graph.h"
@@ -17,7 +17,7 @@
 namespace pcl_cid::benchmarks {
 namespace {
 
-/** How far above a tangent plane a neighbour may be and still count as in it: the sine
+/** How far above a tangent plane a neighbor may be and still count as in it: the sine
  *  of the angle. */
 constexpr float flat = 0.01f;
 
@@ -50,7 +50,7 @@ bendBetween(const OrientedPoints& surface, std::size_t first, std::size_t second
 }
 
 std::vector<std::vector<int>>
-nearestNeighbours(const std::vector<Eigen::Vector3f>& points, int neighbours)
+nearestNeighbors(const std::vector<Eigen::Vector3f>& points, int neighbors)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector3f& p : points)
@@ -62,7 +62,7 @@ nearestNeighbours(const std::vector<Eigen::Vector3f>& points, int neighbours)
   pcl::Indices found;
   std::vector<float> squared;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    tree.nearestKSearch((*cloud)[i], neighbours + 1, found, squared); // itself, too
+    tree.nearestKSearch((*cloud)[i], neighbors + 1, found, squared); // itself, too
     for (const pcl::index_t j : found)
       if (static_cast<std::size_t>(j) != i) {
         near[i].push_back(j);
@@ -78,11 +78,11 @@ nearestNeighbours(const std::vector<Eigen::Vector3f>& points, int neighbours)
 
 Graph
 weighByBend(const OrientedPoints& surface,
-            const std::vector<std::vector<int>>& neighbours)
+            const std::vector<std::vector<int>>& neighbors)
 {
   Graph graph(surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i)
-    for (const int to : neighbours[i]) {
+    for (const int to : neighbors[i]) {
       const auto j = static_cast<std::size_t>(to);
       if (surface.normals[i].dot(surface.normals[j]) >= 0.0f)
         graph[i].push_back({to, weightOf(bendBetween(surface, i, j))});

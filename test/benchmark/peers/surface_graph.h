@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Points with normals in a graph of neighbours, and its cuts.
+ * Points with normals in a graph of neighbors, and its cuts.
  */
 
 #pragma once
@@ -28,7 +28,7 @@ struct OrientedPoints {
   }
 };
 
-/** \brief How a surface bends from one point to its neighbour. */
+/** \brief How a surface bends from one point to its neighbor. */
 enum class Bend { convex, concave, unclear };
 
 /** \brief Convex (or flat) when each point is not above the tangent plane of the other,
@@ -45,16 +45,16 @@ struct Edge {
 /** \brief For each node its edges; symmetric. */
 using Graph = std::vector<std::vector<Edge>>;
 
-/** \brief The nearest \a neighbours points of each point, made symmetric; ascending. */
+/** \brief The nearest \a neighbors points of each point, made symmetric; ascending. */
 std::vector<std::vector<int>>
-nearestNeighbours(const std::vector<Eigen::Vector3f>& points, int neighbours);
+nearestNeighbors(const std::vector<Eigen::Vector3f>& points, int neighbors);
 
 /** \brief The graph with the weight of each edge by how the surface bends there: close
- *  to 1 where it is convex, close to 0 where it is concave. Neighbours that look to
+ *  to 1 where it is convex, close to 0 where it is concave. Neighbors that look to
  *  opposite sides, as on the two faces of a board, are not joined. */
 Graph
 weighByBend(const OrientedPoints& surface,
-            const std::vector<std::vector<int>>& neighbours);
+            const std::vector<std::vector<int>>& neighbors);
 
 /** \brief Cut a graph into connected patches by normalised cuts, the largest patch
  *  first.

@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t working_points = 20000;
 /** For normals, and for the graph: what Open3D takes when it is not told otherwise, and
  *  what keeps a graph of a surface connected. */
-constexpr int normal_neighbours = 30;
-constexpr int graph_neighbours = 8;
+constexpr int normal_neighbors = 30;
+constexpr int graph_neighbors = 8;
 
 struct WCSegSettings {
   Orientation orientation;
@@ -51,7 +51,7 @@ std::vector<Eigen::Vector3f>
 normalsOf(const Cloud::ConstPtr& cloud)
 {
   const pcl::PointCloud<pcl::Normal>::Ptr estimated =
-      estimateNormals(cloud, normal_neighbours);
+      estimateNormals(cloud, normal_neighbors);
   std::vector<Eigen::Vector3f> normals;
   for (const pcl::Normal& normal : *estimated)
     normals.emplace_back(normal.getNormalVector3fMap());
@@ -63,7 +63,7 @@ segment(const PeerScan& scan, const WCSegSettings& settings)
 {
   const WorkingSet working = drawWorkingSet(scan);
   const Cloud::Ptr cloud = toCloud(working.points());
-  const auto neighbours = nearestNeighbours(working.points(), graph_neighbours);
+  const auto neighbors = nearestNeighbors(working.points(), graph_neighbors);
   OrientedPoints surface{working.points(), normalsOf(cloud)};
   // The working set is about an origin of its own, and so are its viewpoints.
   const Eigen::Vector3f origin = working.all().frame.origin.cast<float>();
@@ -71,12 +71,12 @@ segment(const PeerScan& scan, const WCSegSettings& settings)
   for (const Eigen::Vector3f& viewpoint : scan.viewpoints)
     viewpoints.emplace_back(viewpoint - origin);
   orientNormals(
-      surface.points, neighbours, viewpoints, settings.orientation, surface.normals);
+      surface.points, neighbors, viewpoints, settings.orientation, surface.normals);
 
   WeakConvexityOptions options = settings.options;
   options.reach = settings.reach_spacings * pointSpacing(*cloud);
   const std::vector<int> segments =
-      findWeaklyConvexSegments(surface, working.field(), neighbours, options);
+      findWeaklyConvexSegments(surface, working.field(), neighbors, options);
   Measurement result;
   // A dropped segment is -1, and so its label is 0.
   result.labels = labelsOfGroups(working.carryOn(segments, scan.cloud->size(), -1));
@@ -88,7 +88,7 @@ describe(const WCSegSettings& settings)
 {
   static const std::map<Orientation, std::string> names = {
       {Orientation::viewpoint, "viewpoint"},
-      {Orientation::centre, "centre"},
+      {Orientation::center, "center"},
       {Orientation::tree, "tree"}};
   return {{"orientation", names.at(settings.orientation)},
           {"coplanar", settings.options.coplanar},
@@ -102,7 +102,7 @@ wcsegRuns(const PeerScan& scan)
 {
   std::vector<PeerRun> runs;
   for (const Orientation orientation :
-       {Orientation::viewpoint, Orientation::centre, Orientation::tree})
+       {Orientation::viewpoint, Orientation::center, Orientation::tree})
     for (const double coplanar : {0.01, 0.1, 0.2})
       for (const bool merge : {true, false}) {
         WCSegSettings settings{orientation, {}, 2.0};

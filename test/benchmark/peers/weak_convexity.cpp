@@ -113,15 +113,15 @@ growComponents(const Graph& graph,
                const WeakConvexityOptions& options,
                Components& components)
 {
-  std::set<std::pair<int, int>> neighbours;
+  std::set<std::pair<int, int>> neighbors;
   for (std::size_t i = 0; i < graph.size(); ++i)
     for (const Edge& edge : graph[i]) {
       const int a = components.patchOfPoint(i);
       const int b = components.patchOfPoint(static_cast<std::size_t>(edge.to));
       if (a < b)
-        neighbours.emplace(a, b);
+        neighbors.emplace(a, b);
     }
-  std::vector<std::pair<int, int>> order(neighbours.begin(), neighbours.end());
+  std::vector<std::pair<int, int>> order(neighbors.begin(), neighbors.end());
   std::stable_sort(order.begin(), order.end(), [&](const auto& x, const auto& y) {
     return components.visibleBetweenPatches(x.first, x.second) >
            components.visibleBetweenPatches(y.first, y.second);
@@ -136,7 +136,7 @@ growComponents(const Graph& graph,
         components.join(first, second);
 }
 
-/** What two neighbouring components have in common: edges of the graph. */
+/** What two neighboring components have in common: edges of the graph. */
 struct Seam {
   int first;
   int second;
@@ -209,7 +209,7 @@ private:
   std::vector<std::vector<double>> diameters_;
 };
 
-/** The seam to the neighbour that a flat component should join; null when there is
+/** The seam to the neighbor that a flat component should join; null when there is
  *  none. First those without a concave edge, the one with most convex edges; else the
  *  one with the most convex edges for each concave one, if enough lines are free. */
 const Seam*
@@ -302,10 +302,10 @@ numberSegments(const Components& components, std::size_t points, std::size_t lea
 std::vector<int>
 findWeaklyConvexSegments(const OrientedPoints& surface,
                          const DistanceField& field,
-                         const std::vector<std::vector<int>>& neighbours,
+                         const std::vector<std::vector<int>>& neighbors,
                          const WeakConvexityOptions& options)
 {
-  const Graph graph = weighByBend(surface, neighbours);
+  const Graph graph = weighByBend(surface, neighbors);
   const LineOfSight sight(surface,
                           field,
                           static_cast<float>(options.coplanar),

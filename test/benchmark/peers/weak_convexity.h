@@ -42,22 +42,22 @@ struct WeakConvexityOptions {
  *  on Graphics 34(1), 2014. Not their program: doc/peers.md says what is as published
  *  and what is approximate.
  *
- *  1. The graph of neighbours, weighted by how the surface bends, is cut into patches.
+ *  1. The graph of neighbors, weighted by how the surface bends, is cut into patches.
  *  2. For each two patches: the share of lines between them that are free.
- *  3. Neighbouring components are joined, those that see most of each other first, as
+ *  3. Neighboring components are joined, those that see most of each other first, as
  *  long as enough of the lines between them are free: weakly convex components.
- *  4. Neighbouring components of like thickness (shape diameter) whose common seam is
- *  mostly convex are joined; flat ones join the neighbour with the most convex seam.
+ *  4. Neighboring components of like thickness (shape diameter) whose common seam is
+ *  mostly convex are joined; flat ones join the neighbor with the most convex seam.
  *
  *  \param[in] surface points with normals to the outside; at least 1
  *  \param[in] field of the points
- *  \param[in] neighbours see nearestNeighbours()
+ *  \param[in] neighbors see nearestNeighbors()
  *  \return number of the segment of each point, from 0 without gaps; -1 for points of
  *  segments that were dropped */
 std::vector<int>
 findWeaklyConvexSegments(const OrientedPoints& surface,
                          const DistanceField& field,
-                         const std::vector<std::vector<int>>& neighbours,
+                         const std::vector<std::vector<int>>& neighbors,
                          const WeakConvexityOptions& options);
 
 } // namespace pcl_cid::benchmarks

@@ -65,7 +65,7 @@ segment(const OrientedPoints& surface)
   options.reach = 2 * step;
   const DistanceField field(surface.points);
   return findWeaklyConvexSegments(
-      surface, field, nearestNeighbours(surface.points, 8), options);
+      surface, field, nearestNeighbors(surface.points, 8), options);
 }
 
 std::set<int>
@@ -109,11 +109,11 @@ TEST(SurfaceGraph, BendIsThatOfTheDihedralAngle)
   EXPECT_EQ(bendBetween(stair, 0, 1), Bend::unclear);
 }
 
-TEST(SurfaceGraph, NeighboursAreMutual)
+TEST(SurfaceGraph, NeighborsAreMutual)
 {
   OrientedPoints surface;
   addBox({0, 0, 0}, {0.4f, 0.3f, 0.2f}, surface);
-  const auto near = nearestNeighbours(surface.points, 8);
+  const auto near = nearestNeighbors(surface.points, 8);
   for (std::size_t i = 0; i < near.size(); ++i) {
     EXPECT_GE(near[i].size(), 8u);
     for (const int j : near[i]) {
@@ -135,7 +135,7 @@ TEST(NormalizedCuts, PatchesAreConnectedAndAsManyAsAskedFor)
 {
   OrientedPoints surface;
   addRectangle({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, surface);
-  const Graph graph = weighByBend(surface, nearestNeighbours(surface.points, 8));
+  const Graph graph = weighByBend(surface, nearestNeighbors(surface.points, 8));
   const std::vector<int> patch = cutIntoPatches(graph, 16);
   const int patches = *std::max_element(patch.begin(), patch.end()) + 1;
   EXPECT_GE(patches, 16);
@@ -297,13 +297,13 @@ TEST(Normals, AreTurnedToTheOutside)
 {
   OrientedPoints box;
   addBox({0, 0, 0}, {1, 1, 1}, box);
-  const auto near = nearestNeighbours(box.points, 8);
+  const auto near = nearestNeighbors(box.points, 8);
   std::vector<Eigen::Vector3f> mixed = box.normals;
   for (std::size_t i = 0; i < mixed.size(); i += 3)
     mixed[i] = -mixed[i];
 
   std::vector<Eigen::Vector3f> inwards = mixed;
-  orientNormals(box.points, near, {}, Orientation::centre, inwards);
+  orientNormals(box.points, near, {}, Orientation::center, inwards);
   for (std::size_t i = 0; i < box.size(); ++i)
     EXPECT_EQ(inwards[i], -box.normals[i]);
 
@@ -328,7 +328,7 @@ TEST(Normals, AreTurnedToTheOutside)
     }
 }
 
-TEST(Normals, AreEstimatedFromNeighbours)
+TEST(Normals, AreEstimatedFromNeighbors)
 {
   OrientedPoints plane;
   addRectangle({0, 0, 1}, {1, 0, 0}, {0, 1, 0}, plane);

@@ -128,7 +128,7 @@ struct Variant {
 };
 
 /** Costs and settings for a cloud: spacing that varies over it and from point to point,
- *  colours of a few patches with noise. */
+ *  colors of a few patches with noise. */
 class Settings {
 public:
   Settings(const Variant& variant, const Points& points)

@@ -90,7 +90,7 @@ TEST_P(BlockTreeOfClouds, BoxesHoldWhatIsBelowThem)
         const Eigen::Vector3f p = tree.block(b).point(row);
         const PointBox& box = tree.box(node);
         EXPECT_EQ(box.squaredDistance(padded(p)), 0.0f);
-        EXPECT_LE((p - box.centre()).norm(), box.radius());
+        EXPECT_LE((p - box.center()).norm(), box.radius());
       }
 }
 

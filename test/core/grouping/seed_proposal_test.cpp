@@ -180,7 +180,7 @@ TEST(SeedProposal, DuplicatesNeverBecomeSeeds)
 
 TEST(SeedProposal, TiesGoToTheLowestIndexAndTheEarlierSeed)
 {
-  // Four corners of a square: from corner 0 both neighbours are equally far in CID.
+  // Four corners of a square: from corner 0 both neighbors are equally far in CID.
   const Points square = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const SeedProposal proposal =
       proposeSeeds(DistanceField(square), square, 0, optionsFor(2, 101));

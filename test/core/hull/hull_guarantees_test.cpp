@@ -147,7 +147,7 @@ TEST(BrokenGuarantee, ADentOrABump)
 {
   const double diagonal = std::sqrt(12.0);
   for (const double outward : {-1.0, 1.0}) {
-    // Up to the cube's corners, the tilt of its neighbours makes 2 / 0.7 times as much.
+    // Up to the cube's corners, the tilt of its neighbors makes 2 / 0.7 times as much.
     const double in_tolerance = 0.9 * (0.7 / 2.0) * hull_tolerance * diagonal * outward;
     EXPECT_EQ(verdict(cubeWithCornerOnEdge({1.0 + in_tolerance, 0.3, -1.0})), "");
   }

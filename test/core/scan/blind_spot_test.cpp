@@ -76,7 +76,7 @@ TEST(BlindSpot, IsTheDiscThatTheScannerHides)
     // The first ray that passes the mount is less than a step farther out.
     EXPECT_GE(spot->radius, 0.98f * height * tangent(blind)) << blind;
     EXPECT_LE(spot->radius, 1.02f * height * tangent(blind + options.step)) << blind;
-    EXPECT_NEAR((spot->centre - Eigen::Vector3f(0, 0, -height)).norm(), 0.0f, 0.01f);
+    EXPECT_NEAR((spot->center - Eigen::Vector3f(0, 0, -height)).norm(), 0.0f, 0.01f);
   }
 }
 
@@ -87,7 +87,7 @@ TEST(BlindSpot, IsFilledAllOverWithPointsOfTheFloor)
   ASSERT_TRUE(spot);
   for (const Eigen::Vector3f& p : spot->filling) {
     EXPECT_NEAR(p.z(), -height, 0.02f);
-    EXPECT_LE((p - spot->centre).norm(), spot->radius * 1.001f);
+    EXPECT_LE((p - spot->center).norm(), spot->radius * 1.001f);
   }
   // No place of it is farther from the surface than the floor beside it is sparse.
   const Points surface = joined(scan, spot->filling);
@@ -99,7 +99,7 @@ TEST(BlindSpot, IsFilledAllOverWithPointsOfTheFloor)
     const Eigen::Vector3f offset(draw(), draw(), 0.0f);
     if (offset.norm() > 1.0f)
       continue;
-    EXPECT_LE(nearest(surface, spot->centre + spot->radius * offset), 0.06f);
+    EXPECT_LE(nearest(surface, spot->center + spot->radius * offset), 0.06f);
   }
 }
 
@@ -126,7 +126,7 @@ TEST(BlindSpot, MovesWithTheScan)
       const std::optional<BlindSpot> spot = findBlindSpot(points, pose, {});
       ASSERT_TRUE(spot) << scale << " " << tilt;
       EXPECT_NEAR(spot->radius / scale, plain->radius, 0.02f);
-      EXPECT_LE((spot->centre - moved(plain->centre)).norm() / scale, 0.02f);
+      EXPECT_LE((spot->center - moved(plain->center)).norm() / scale, 0.02f);
     }
 }
 
@@ -145,7 +145,7 @@ TEST(BlindSpot, IsFoundInASceneWithStrayReturns)
   const std::optional<BlindSpot> spot = findBlindSpot(scan, {}, {});
   ASSERT_TRUE(plain && spot);
   EXPECT_NEAR(spot->radius, plain->radius, 0.02f);
-  EXPECT_NEAR(spot->centre.z(), -height, 0.01f);
+  EXPECT_NEAR(spot->center.z(), -height, 0.01f);
 }
 
 TEST(BlindSpot, IsNoneWhereTheFloorIsSeen)

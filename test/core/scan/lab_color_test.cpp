@@ -45,7 +45,7 @@ TEST(LabColor, OfGreysIsLightnessOnly)
 }
 
 /// By hand: ten points in a row, of which the first is white and the others black. An
-/// end's neighbours are the next eight, so the mean of the first is 100 / 9, and the
+/// end's neighbors are the next eight, so the mean of the first is 100 / 9, and the
 /// last does not see it.
 TEST(SmoothLab, IsTheMeanOfAPointAndItsNeighbors)
 {

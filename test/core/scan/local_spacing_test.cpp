@@ -85,7 +85,7 @@ neighborsOf(const Points& points)
   return NearestNeighbors(points, execution);
 }
 
-/// By hand: an inner point of a lattice has four neighbours at 1 and four at the
+/// By hand: an inner point of a lattice has four neighbors at 1 and four at the
 /// diagonal. The lattice that is twice as wide has twice as much, and the median is
 /// that of the larger of the two.
 TEST(LocalSpacing, IsRelativeToTheMedian)

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Nearest neighbours against a search of all points.
+ * Nearest neighbors against a search of all points.
  */
 
 #include "clouds.h"
@@ -41,7 +41,7 @@ placesOf(const Points& points)
   return places;
 }
 
-/** Neighbours by looking at all places. */
+/** Neighbors by looking at all places. */
 pcl::Indices
 neighborsByBruteForce(const Points& points, const pcl::Indices& places, std::size_t i)
 {
@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(AllClouds,
                          testing::ValuesIn(allClouds()),
                          [](const auto& info) { return info.param.name; });
 
-/// By hand: on a line at 0, 1, 2 ... the fourth neighbours of an inner point are two
+/// By hand: on a line at 0, 1, 2 ... the fourth neighbors of an inner point are two
 /// away on either side, so the eighth is four away; at an end it is eight away.
 TEST(NearestNeighbors, ReachTheEighthOnALine)
 {

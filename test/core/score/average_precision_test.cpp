@@ -9,7 +9,7 @@
 
 #include "labelled_runs.h"
 
-#include <pcl_cid/core/average_precision.h>
+#include "score/average_precision.h"
 
 #include <algorithm>
 #include <cmath>

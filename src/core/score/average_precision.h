@@ -10,7 +10,6 @@
 #pragma once
 
 #include <pcl_cid/core/instance_overlaps.h>
-#include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -50,12 +49,12 @@ struct ClassOverlaps {
   std::vector<Overlap> overlaps;
 
   /** \brief Number of truth instances that are looked for. */
-  PCL_CID_EXPORT std::size_t
+  std::size_t
   truths() const;
 };
 
 /** \brief Collect the instances of one class. */
-PCL_CID_EXPORT ClassOverlaps
+ClassOverlaps
 classOverlaps(const std::vector<InstanceOverlaps>& scans,
               std::uint32_t semantic,
               const MatchingRules& rules);
@@ -82,7 +81,7 @@ struct InstanceMatches {
  *  truth instance (even one that does not count) overlaps by more than the threshold is
  *  wrong; unless void is passed over and more than the threshold of it is void.
  *  \param[in] threshold of the IoU, 0 to 1 */
-PCL_CID_EXPORT InstanceMatches
+InstanceMatches
 matchInstances(const ClassOverlaps& overlaps, double threshold);
 
 /** \brief Area under the curve of precision over recall, by ScanNet's rule.
@@ -92,16 +91,16 @@ matchInstances(const ClassOverlaps& overlaps, double threshold);
  *  precision 1. Each precision is weighted by half the difference of the recalls before
  *  and after it. With a single confidence this is R (1 + P) / 2.
  *  \return 0 without detections; NaN when there is nothing to find */
-PCL_CID_EXPORT double
+double
 averagePrecision(const InstanceMatches& matches);
 
 /** \brief Right detections over all of them; 0 when there are none; NaN when there is
  *  nothing to find. */
-PCL_CID_EXPORT double
+double
 precisionOf(const InstanceMatches& matches);
 
 /** \brief Right detections over truth instances; NaN when there are none. */
-PCL_CID_EXPORT double
+double
 recallOf(const InstanceMatches& matches);
 
 } // namespace pcl_cid

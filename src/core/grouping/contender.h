@@ -1,0 +1,44 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * A seed that a point may belong to, and who wins of two.
+ */
+
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace pcl_cid {
+
+/** \brief A seed that a point may belong to. */
+struct Contender {
+  std::int32_t id;
+  std::size_t rank;
+  float low;               ///< at most the cost of the two
+  bool is_exact = false;   ///< it is the cost
+  std::size_t hint = 0;    ///< the sample to look at first
+  std::int32_t rival = -1; ///< its place among the rivals of the block
+
+  /** \brief The smaller CID wins; at equal CID the earlier seed. */
+  bool
+  operator<(const Contender& other) const
+  {
+    return low < other.low || (low == other.low && rank < other.rank);
+  }
+
+  /** \brief The cost of this one from which on the other one wins. */
+  float
+  limitAgainst(const Contender& other) const
+  {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return rank < other.rank ? std::nextafter(other.low, infinity) : other.low;
+  }
+};
+
+} // namespace pcl_cid
