@@ -31,7 +31,7 @@ set(public_of_scan prepared_scan)
 set(public_of_grouping grouping)
 set(public_of_merging group_merging)
 set(public_of_hull convex_part hull_guarantees hull_tightness)
-set(public_of_score average_precision evaluation instance_overlaps)
+set(public_of_score evaluation instance_overlaps)
 
 # The includes that must be possible and those that must not.
 set(possible)

@@ -35,7 +35,7 @@ segment(const PeerScan& scan, const GrowingSettings& settings)
   growing.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
   growing.setInputCloud(scan.cloud);
   growing.setInputNormals(estimateNormals(scan.cloud, settings.normal_neighbors));
-  growing.setNumberOfNeighbors(neighbors);
+  growing.setNumberOfNeighbours(neighbors);
   growing.setMinClusterSize(least_points);
   growing.setSmoothnessThreshold(static_cast<float>(settings.angle * M_PI / 180.0));
   growing.setCurvatureThreshold(static_cast<float>(settings.curvature));
