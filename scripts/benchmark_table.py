@@ -139,7 +139,7 @@ def scaling_requirements(results):
 
 
 def correction_requirements(results):
-    """What an annotator waits for, in milliseconds, and what follows a finished sample."""
+    """What an annotator waits for after a click, in milliseconds."""
     for work, bound in (("add", 60), ("remove", 120)):
         for room in ROOMS:
             summary = results.get(Case(room, 1_000_000, work))

@@ -30,17 +30,17 @@ namespace pcl_cid {
 /** \brief The settings that all classes of pcl_cid share, and the results they share:
  *  the prepared scan and the grouping.
  *
- *  Only the settings of the preparation make the next verb prepare the input again, so
- *  consecutive verbs on one input prepare it once. Algorithm 1, too, runs again only
- *  when one of its settings was changed, and goes on where only the number of seeds has
- *  grown.
+ *  Only a new input and the settings of the preparation make the next verb (a call that
+ *  works: sample(), segment() ...) prepare the input again, so consecutive verbs on one
+ * input prepare it once. Algorithm 1, too, runs again only when one of its settings was
+ * changed, and goes on where only the number of seeds has grown.
  *
  *  Every setter refuses a bad value at once with a CIDException and then changes
  *  nothing. Ranges and defaults: the rows of `setting` (settings.h). */
 class PCL_CID_EXPORT CIDParameters : public CIDPreparationParameters {
 public:
-  /** \brief K, the number of seeds. Fewer come back when the cloud has fewer distinct
-   *  points. */
+  /** \brief K, the number of seeds. Fewer come back when no other point would gain by
+   *  being one, or the coverage is reached. */
   void
   setNumberOfSeeds(int number_of_seeds);
 
@@ -51,7 +51,7 @@ public:
   }
 
   /** \brief Stop adding seeds as soon as every point is within this CID of its seed
-   *  (*ours*), metres; 0, the default, never does. Whichever of the two stops comes
+   *  (*ours*), metres; 0, the default: no such stop. Whichever of the two stops comes
    *  first counts, so ask for as many seeds as the guarantee may cost. */
   void
   setCoverage(float coverage);

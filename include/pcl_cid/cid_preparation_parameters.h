@@ -48,7 +48,7 @@ public:
     return preparation_.subsample;
   }
 
-  /** \brief Seed of every draw (start, subsample, samples of groups). */
+  /** \brief Seed of every draw (start, subsample, soft seeds, samples of groups). */
   void
   setRandomSeed(std::uint64_t random_seed);
 
@@ -74,7 +74,7 @@ public:
   }
 
   /** \brief The points of the input cloud that may become seeds; null, the default,
-   *  means all that are grouped. Those that are not grouped are skipped. */
+   *  means all that are finite and selected. Others are skipped. */
   void
   setSeedCandidates(const pcl::shared_ptr<const pcl::Indices>& seed_candidates);
 
@@ -108,8 +108,9 @@ public:
   }
 
   /** \brief A point with fewer others near it is isolated: it never becomes a seed,
-   *  unless it is the start or a seed that was given, and does not count in the
-   *  coverage, but belongs to a group like all others. 0: no point is isolated. */
+   *  unless it is a start index that was set or a seed that was given, and does not
+   * count in the coverage, but belongs to a group like all others. 0: no point is
+   * isolated. */
   void
   setIsolatedNeighbors(int isolated_neighbors);
 

@@ -9,6 +9,7 @@
 
 #include "measured_work.h"
 
+#include "busy_processes.h"
 #include "literal_method.h"
 
 #include "base/parallel_for.h"
@@ -31,11 +32,6 @@
 #include <vector>
 
 #include <pcl/common/common.h>
-
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -385,44 +381,6 @@ removeOneSeed(const Work& work, const Cloud::ConstPtr& cloud)
   result.seconds = medianOf(seconds);
   return result;
 }
-
-/** Other work of the machine: processes that never wait, for as long as this lives. */
-class BusyProcesses {
-public:
-  explicit BusyProcesses(std::size_t number)
-  {
-    while (ids_.size() < number)
-      ids_.push_back(start());
-  }
-
-  BusyProcesses(const BusyProcesses&) = delete;
-  BusyProcesses&
-  operator=(const BusyProcesses&) = delete;
-
-  ~BusyProcesses()
-  {
-    for (const pid_t id : ids_) {
-      kill(id, SIGKILL);
-      waitpid(id, nullptr, 0);
-    }
-  }
-
-private:
-  static pid_t
-  start()
-  {
-    const pid_t id = fork();
-    if (id < 0)
-      throw std::runtime_error("cannot start a busy process");
-    if (id > 0)
-      return id;
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (volatile std::uint64_t turns = 0;;)
-      turns = turns + 1;
-  }
-
-  std::vector<pid_t> ids_;
-};
 
 constexpr std::size_t busy_processes = 2;
 

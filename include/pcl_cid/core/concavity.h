@@ -48,7 +48,7 @@ segmentSample(const Eigen::Vector3f& p,
  *  samples at once, d(x) <= |x - n| (*ours*). Memory is O(M).
  *  \param[in] field the surface S
  *  \param[in] p,q ends of the segment, metres, in the frame of the surface
- *  \param[in] samples M, min_samples to max_samples
+ *  \param[in] samples M, min_samples to max_samples; not checked
  *  \param[in] limit give up as soon as the CID is known to be at least this
  *  \return the CID in metres if it is below \a limit, else some value that is at least
  *  \a limit and at most the CID. Never negative; the same bits for (p, q) and (q, p)
@@ -80,7 +80,7 @@ continuousPointCID(const DistanceField& field,
  *  groups, added up in double, in the order of the groups. Symmetric up to that order.
  *  \param[in] field the surface S
  *  \param[in] first,second points of the two groups, or of samples of them; not empty
- *  \param[in] samples M of each pair, min_samples to max_samples
+ *  \param[in] samples M of each pair, min_samples to max_samples; not checked
  *  \throws CIDException when a group is empty */
 PCL_CID_EXPORT double
 groupCID(const DistanceField& field,

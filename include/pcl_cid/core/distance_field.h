@@ -40,7 +40,7 @@ struct DistanceBounds {
 };
 
 /** \brief The distance d(x; S) = min over k of |x - p_k| to a finite set of points S,
- *  the *search surface* of the paper (section III.A).
+ *  the surface of the paper (section III.A); PCL's *search surface*.
  *
  *  distance() is exact: the square root of the smallest float squared distance over all
  *  points, to the bit the same however it is found. An adaptive grid knows, for nearly

@@ -21,8 +21,8 @@ using ProgressCallback = std::function<bool(double fraction)>;
 
 /** \brief How to run; never changes a result. */
 struct ExecutionOptions {
-  /** Number of threads; 0 means one for each processor that the process may run
-   *  on. */
+  /** Number of threads; 0 means one for each processor that the process may run on.
+   *  More than the setting allows (1024) count as that many. */
   unsigned int threads = 0;
   /** Progress and cancellation; empty means none. */
   ProgressCallback progress;

@@ -128,7 +128,8 @@ constexpr float above_zero = std::numeric_limits<float>::min();
 constexpr double longest = 1e15;
 constexpr double shortest = 1e-15;
 
-// Each row: group, name, title, placeholder, unit, default, least, most, meaning, zero.
+// A number: group, name, title, placeholder, unit, default, least, most, meaning, zero.
+// A choice: group, name, placeholder, default, words, meaning.
 // clang-format off
 
 inline constexpr NumberSetting<int> seeds{
@@ -191,6 +192,8 @@ inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "the floor that a scanner hides from itself is a part of the surface: auto "
     "(where there is a hole under the viewpoint) or off"};
 
+// Where to cut the tree: without any of these three, the elbow decides; their defaults
+// stand for no value.
 inline constexpr NumberSetting<int> parts{
     "Parts", "parts", "number of parts", "K", "", 30, 1, any_number,
     "merge groups until this many parts remain"};

@@ -12,9 +12,12 @@
 #include "sentence.h"
 
 #include <pcl_cid/core/point_set.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace pcl_cid {
 
@@ -25,6 +28,14 @@ requireAtLeast(const char* name, Number value, Number least)
   if (value < least)
     throw CIDException(
         sentence("the ", name, " is ", value, "; it must be at least ", least));
+}
+
+/** A setting that the table has as an int, in a struct that counts by sizes. */
+inline void
+requireCount(const NumberSetting<int>& setting, std::size_t value)
+{
+  constexpr int largest = std::numeric_limits<int>::max();
+  require(setting, static_cast<int>(std::min(value, std::size_t{largest})));
 }
 
 inline void

@@ -111,7 +111,7 @@ pointCID(const DistanceField& field,
 {
   std::size_t middle = static_cast<std::size_t>(samples) / 2;
   const SampleOrder order(samples);
-  return SegmentSearch(field, order).pointCID({p, q, false}, limit, middle);
+  return SegmentSearch(field, order).pointCID({p, q, false}, limit, middle); // Eq. 2
 }
 
 float

@@ -20,9 +20,9 @@ namespace pcl_cid {
 /** A cell that is being built. */
 struct DistanceGrid::Region {
   int x = 0, y = 0, z = 0; ///< its corner, in finest cells
-  int shift = levels;
-  std::int32_t slot = 0; ///< the surface point nearest to the center c
-  float distance = 0.0f; ///< d(c)
+  int shift = levels;      ///< its side is 2^shift finest cells
+  std::int32_t slot = 0;   ///< the surface point nearest to the center c
+  float distance = 0.0f;   ///< d(c)
   /** Nodes that can hold the nearest point of an x inside; no two overlap. */
   std::vector<std::int32_t> nodes;
 
@@ -47,7 +47,7 @@ struct DistanceGrid::Region {
 /** Nodes and, as columns for SIMD, their boxes. */
 struct DistanceGrid::Boxes {
   std::vector<std::int32_t> nodes;
-  Eigen::Array<float, Eigen::Dynamic, 6> sides; ///< at least as many rows
+  Eigen::Array<float, Eigen::Dynamic, 6> sides; ///< at least as many rows as nodes
   /** Along each axis, from the centers of the lower and of the upper half of a region;
    *  likewise. */
   Eigen::Array<float, Eigen::Dynamic, 6> squared_gap;
@@ -77,14 +77,14 @@ struct DistanceGrid::Boxes {
     }
   }
 
-  /** \param[in] centre of the octant that is lowest along each axis
+  /** \param[in] center of the octant that is lowest along each axis
    *  \param[in] opposite center of the one that is highest along each */
   void
-  measureGaps(const Eigen::Vector3f& centre, const Eigen::Vector3f& opposite)
+  measureGaps(const Eigen::Vector3f& center, const Eigen::Vector3f& opposite)
   {
     for (int axis = 0; axis < 3; ++axis)
       for (const int upper : {0, 1}) {
-        const float p = upper == 0 ? centre[axis] : opposite[axis];
+        const float p = upper == 0 ? center[axis] : opposite[axis];
         squared_gap.col(2 * axis + upper).head(size()) =
             (sides.col(axis).head(size()) - p)
                 .max(p - sides.col(axis + 3).head(size()))
@@ -93,8 +93,8 @@ struct DistanceGrid::Boxes {
       }
   }
 
-  /** From the center of an octant: along each axis the eight centers have only two
-   *  coordinates. */
+  /** Fill squared_distance, from the center of an octant: along each axis the eight
+   *  centers have only two coordinates. */
   void
   measure(int octant)
   {
@@ -105,7 +105,7 @@ struct DistanceGrid::Boxes {
   }
 };
 
-/** A piece that is being built. */
+/** What it takes to build a piece. */
 struct DistanceGrid::Growth {
   Piece& piece;
   std::size_t budget; ///< bytes

@@ -108,6 +108,7 @@ BlockGroups::addSeed(pcl::index_t point,
   setRanks();
   to_come_ = to_come;
 
+  // "D[p, q] <- CID_p(p, q)", for the new seed q, as far as it is needed
   std::size_t subtrees = 1;
   while (2 * subtrees <= std::min(tree().size(), most_subtrees))
     subtrees *= 2;

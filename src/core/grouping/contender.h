@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * A seed that a point may belong to, and who wins of two.
+ * Which of two seeds a point belongs to.
  */
 
 #pragma once
@@ -18,21 +18,22 @@ namespace pcl_cid {
 
 /** \brief A seed that a point may belong to. */
 struct Contender {
-  std::int32_t id;
+  std::int32_t id; ///< see BlockGroups
   std::size_t rank;
-  float low;               ///< at most the cost of the two
+  float low;               ///< at most the cost of the point and this seed
   bool is_exact = false;   ///< it is the cost
   std::size_t hint = 0;    ///< the sample to look at first
   std::int32_t rival = -1; ///< its place among the rivals of the block
 
-  /** \brief The smaller CID wins; at equal CID the earlier seed. */
+  /** \brief The smaller cost wins; at equal cost the earlier seed. */
   bool
   operator<(const Contender& other) const
   {
     return low < other.low || (low == other.low && rank < other.rank);
   }
 
-  /** \brief The cost of this one from which on the other one wins. */
+  /** \brief The cost at which this seed loses to the other one. At equal cost the
+   *  earlier seed wins, hence the next float up for it. */
   float
   limitAgainst(const Contender& other) const
   {

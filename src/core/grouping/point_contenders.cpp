@@ -56,6 +56,7 @@ BlockGroups::decide(std::size_t b, int row, bool exactly, Scratch& scratch)
   const Target point = target(b, row);
   state.high = atMost(b, state);
   collectContenders(b, point, state, scratch.contenders);
+  // "D_min[p] <- min over q of D[p, q]"
   const std::optional<Contender> found = nearestOfFew(point, exactly, scratch);
   const Contender nearest =
       found ? *found : nearestOfMany(point, likely_[b], state.high, scratch);

@@ -33,6 +33,7 @@ Traversal::run(pcl::index_t start, const TraversalOptions& options)
       return ProposalStop::no_gain;
     addSeed(farthest, groups_.numberOfSeeds(), options.seeds);
   }
+  // Coverage 0 is no stop: whoever reaches it has no point left that would gain.
   return options.coverage > 0.0f                   ? ProposalStop::coverage
          : groups_.numberOfSeeds() < options.seeds ? ProposalStop::no_gain
                                                    : ProposalStop::seeds;

@@ -8,6 +8,7 @@
  */
 
 #include "base/parallel_for.h"
+#include "base/requirements.h"
 #include "base/sentence.h"
 #include "box_mesh.h"
 #include "clean_hull.h"
@@ -184,9 +185,7 @@ requireValid(const ConvexPartOptions& options)
   require(setting::min_thickness, options.min_thickness);
   require(setting::padding, options.padding);
   require(setting::trim_distance, options.trim_distance);
-  constexpr std::size_t most = setting::max_vertices.most;
-  require(setting::max_vertices,
-          static_cast<int>(std::min(options.max_vertices, most)));
+  requireCount(setting::max_vertices, options.max_vertices);
 }
 
 ConvexPart

@@ -292,7 +292,7 @@ mergeGroups(const WorkingPoints& points,
             const GroupMergingOptions& options)
 {
   require(setting::samples, options.samples);
-  requireAtLeast("number of samples of a group", options.group_samples, std::size_t{1});
+  requireCount(setting::group_samples, options.group_samples);
   requireAtLeast("number of parts to stop at", options.stop_at_parts, std::size_t{1});
   if (!(options.stop_at_height >= 0.0))
     throw CIDException(sentence("the height to stop at is ",

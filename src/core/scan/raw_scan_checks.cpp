@@ -18,7 +18,7 @@ namespace {
 constexpr float largest_coordinate = 1e15f;
 
 void
-requireModerate(const Points& points)
+requireFiniteAndModerate(const Points& points)
 {
   for (const Eigen::Vector3f& p : points) {
     if (!p.allFinite())
@@ -92,8 +92,8 @@ requireUsable(const RawScan& scan, const PreparationSettings& settings)
   requireIndices(scan.points, scan.cloud_size);
   if (settings.color > 0.0f)
     requireColors(scan.colors, scan.points.size());
-  requireModerate(scan.points.points);
-  requireModerate(scan.surface);
+  requireFiniteAndModerate(scan.points.points);
+  requireFiniteAndModerate(scan.surface);
 }
 
 } // namespace pcl_cid

@@ -7,10 +7,11 @@
  * Scores of instance labels by the protocols of the paper, ScanNet and S3DIS.
  */
 
-#include "base/sentence.h"
+#include "average_precision.h"
 #include "instance_coverage.h"
 
-#include "average_precision.h"
+#include "base/sentence.h"
+
 #include <pcl_cid/core/evaluation.h>
 #include <pcl_cid/exceptions.h>
 
@@ -134,7 +135,8 @@ totalsOf(const InstanceOverlaps& scan)
   return totals;
 }
 
-/** Purity, compactness, mean IoU: 0 / 0 gives the NaN that they promise. */
+/** Purity and compactness of section V, mean IoU: 0 / 0 gives the NaN that they
+ * promise. */
 void
 addGroupFigures(const std::vector<InstanceOverlaps>& scans, Evaluation& evaluation)
 {

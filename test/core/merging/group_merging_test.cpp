@@ -17,11 +17,13 @@
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -401,13 +403,18 @@ TEST(GroupMerging, CancelAndBadValues)
       << "group 10 is empty";
   EXPECT_THROW(mergeGroups(field, points, proposal.group, 9, options), CIDException)
       << "group 9 is out of range";
-  options.group_samples = 0;
-  EXPECT_THROW(mergeGroups(field, points, proposal.group, 10, options), CIDException);
-  options = {};
   options.samples = 1;
   EXPECT_THROW(mergeGroups(field, points, proposal.group, 10, options), CIDException);
 
   const MergeTree tree = treeOf(points, proposal, {});
+  for (const std::size_t samples : {std::size_t{0},
+                                    std::size_t{setting::group_samples.most} + 1,
+                                    std::numeric_limits<std::size_t>::max()}) {
+    GroupMergingOptions wrong;
+    wrong.group_samples = samples;
+    EXPECT_THROW(mergeGroups(field, points, proposal.group, 10, wrong), CIDException)
+        << samples;
+  }
   EXPECT_THROW(tree.cutAtParts(0), CIDException);
   EXPECT_THROW(tree.cutAtHeight(-0.1), CIDException);
   EXPECT_THROW(tree.cutAtHeight(NAN), CIDException);
