@@ -20,7 +20,7 @@ find include src tools test doc -name '*.h' -o -name '*.hpp' -o -name '*.cpp' |
 echo "All files are formatted."
 
 step "Tests, warnings as errors"
-build_preset dev -DPCL_CID_REQUIRE_PARSERS=ON
+build_preset dev -DPCL_CID_REQUIRE_PARSERS=ON -DPCL_CID_TEST_PROCESSES=16
 test_preset dev
 
 step "Summary"

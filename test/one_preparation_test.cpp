@@ -60,7 +60,7 @@ objectFor(const Cloud::ConstPtr& cloud)
 }
 
 SeedProposal
-sampled(Sampler& sampler)
+proposalOf(Sampler& sampler)
 {
   pcl::Indices seeds;
   sampler.sample(seeds);
@@ -69,7 +69,7 @@ sampled(Sampler& sampler)
 }
 
 std::vector<std::uint32_t>
-labelled(Propagation& propagation)
+labelsOf(Propagation& propagation)
 {
   std::vector<std::uint32_t> labels;
   propagation.segment(labels);
@@ -77,7 +77,7 @@ labelled(Propagation& propagation)
 }
 
 std::vector<ConvexPart>
-reconstructed(Abstraction& abstraction)
+partsOf(Abstraction& abstraction)
 {
   std::vector<ConvexPart> parts;
   abstraction.reconstruct(parts);
@@ -100,7 +100,7 @@ TEST(OnePreparation, FromSeedsToTightness)
   const Cloud::Ptr cloud = toCloud(twoBoxes(900, 201));
   const FieldCount fields;
   Sampler sampler = objectFor<Sampler>(cloud);
-  const SeedProposal proposal = sampled(sampler);
+  const SeedProposal proposal = proposalOf(sampler);
   EXPECT_EQ(fields.now(), 1u);
   const Grouping::ConstPtr grouping = sampler.getGrouping();
   EXPECT_EQ(grouping->comparisons(), 12u);
@@ -108,16 +108,16 @@ TEST(OnePreparation, FromSeedsToTightness)
   Propagation propagation;
   propagation.setInputCloud(cloud);
   propagation.setGrouping(grouping);
-  const std::vector<std::uint32_t> numbered = labelled(propagation);
+  const std::vector<std::uint32_t> numbered = labelsOf(propagation);
   const std::vector<std::uint32_t> labels = {3, 3, 3, 3, 9, 9, 9, 9, 1, 2, 4, 5};
   propagation.setSeeds(proposal.seeds, labels);
-  const std::vector<std::uint32_t> given = labelled(propagation);
+  const std::vector<std::uint32_t> given = labelsOf(propagation);
   EXPECT_EQ(propagation.getGrouping(), grouping);
 
   Abstraction abstraction;
   abstraction.setGrouping(grouping); // no input: the scan is enough
   abstraction.setNumberOfParts(4);
-  const std::vector<ConvexPart> parts = reconstructed(abstraction);
+  const std::vector<ConvexPart> parts = partsOf(abstraction);
   EXPECT_EQ(abstraction.getGrouping(), grouping);
 
   TightnessOptions options;
@@ -129,12 +129,12 @@ TEST(OnePreparation, FromSeedsToTightness)
 
   // All of it as if each had been on its own.
   Propagation own_propagation = objectFor<Propagation>(cloud);
-  EXPECT_EQ(labelled(own_propagation), numbered);
+  EXPECT_EQ(labelsOf(own_propagation), numbered);
   own_propagation.setSeeds(proposal.seeds, labels);
-  EXPECT_EQ(labelled(own_propagation), given);
+  EXPECT_EQ(labelsOf(own_propagation), given);
   Abstraction own_abstraction = objectFor<Abstraction>(cloud);
   own_abstraction.setNumberOfParts(4);
-  expectSameParts(reconstructed(own_abstraction), parts);
+  expectSameParts(partsOf(own_abstraction), parts);
   const PointSet points = rawScan(twoBoxes(900, 201)).points;
   const Tightness own = TightnessMeter(points, options).measure(parts);
   EXPECT_EQ(own.volume, tightness.volume);
@@ -151,20 +151,20 @@ TEST(OnePreparation, OfSuccessiveVerbs)
   Abstraction abstraction = objectFor<Abstraction>(toCloud(twoBoxes(700, 202)));
   std::vector<pcl::PointIndices> segmented;
   abstraction.segment(segmented);
-  const std::vector<ConvexPart> parts = reconstructed(abstraction);
+  const std::vector<ConvexPart> parts = partsOf(abstraction);
   std::vector<ConvexPart> cut;
   abstraction.reconstruct(abstraction.getMergeTree().cutAtParts(5), cut);
   EXPECT_EQ(cut.size(), 5u);
   abstraction.setNumberOfMerges(3);
   abstraction.setPadding(0.01);
   abstraction.setMinPoints(2);
-  EXPECT_EQ(reconstructed(abstraction).size(), 9u);
+  EXPECT_EQ(partsOf(abstraction).size(), 9u);
   EXPECT_EQ(abstraction.getGrouping()->comparisons(), 12u);
   EXPECT_EQ(fields.now(), 1u);
 
   Propagation propagation = objectFor<Propagation>(toCloud(twoBoxes(700, 202)));
-  const std::vector<std::uint32_t> labels = labelled(propagation);
-  EXPECT_EQ(labelled(propagation), labels);
+  const std::vector<std::uint32_t> labels = labelsOf(propagation);
+  EXPECT_EQ(labelsOf(propagation), labels);
   pcl::PointCloud<pcl::PointXYZL> cloud;
   propagation.segment(cloud);
   EXPECT_EQ(propagation.getGrouping()->comparisons(), 12u);
@@ -176,17 +176,17 @@ TEST(OnePreparation, MoreSeedsGoOn)
   const Cloud::Ptr cloud = toCloud(twoBoxes(700, 203));
   const FieldCount fields;
   Abstraction abstraction = objectFor<Abstraction>(cloud);
-  reconstructed(abstraction);
+  partsOf(abstraction);
   const Grouping::ConstPtr twelve = abstraction.getGrouping();
   abstraction.setNumberOfSeeds(20);
-  const std::vector<ConvexPart> parts = reconstructed(abstraction);
+  const std::vector<ConvexPart> parts = partsOf(abstraction);
   EXPECT_EQ(abstraction.getGrouping()->comparisons(), 20u) << "eight new ones";
   EXPECT_EQ(twelve->numberOfSeeds(), 12u) << "what was handed out stays as it is";
   EXPECT_EQ(abstraction.getMergeTree().numberOfGroups(), 20u);
   EXPECT_EQ(fields.now(), 1u);
   Abstraction fresh = objectFor<Abstraction>(cloud);
   fresh.setNumberOfSeeds(20);
-  expectSameParts(reconstructed(fresh), parts);
+  expectSameParts(partsOf(fresh), parts);
 }
 
 TEST(OnePreparation, FewerSeedsAndOtherGroupsNeedNoField)
@@ -208,19 +208,19 @@ TEST(OnePreparation, FewerSeedsAndOtherGroupsNeedNoField)
       [](Sampler& s) { s.setNumberOfSeeds(3); }};
   const Cloud::Ptr cloud = toCloud(twoBoxes(500, 204));
   Sampler sampler = objectFor<Sampler>(cloud);
-  sampled(sampler);
+  proposalOf(sampler);
   const PreparedScan::ConstPtr scan = sampler.getPreparedScan();
   for (std::size_t n = 0; n < changes.size(); ++n) {
     SCOPED_TRACE(n);
     const FieldCount fields;
     changes[n](sampler);
-    const SeedProposal found = sampled(sampler);
+    const SeedProposal found = proposalOf(sampler);
     EXPECT_EQ(fields.now(), 0u);
     EXPECT_EQ(sampler.getPreparedScan(), scan);
     Sampler fresh = objectFor<Sampler>(cloud);
     for (std::size_t k = 0; k <= n; ++k)
       changes[k](fresh);
-    expectSameProposal(found, sampled(fresh));
+    expectSameProposal(found, proposalOf(fresh));
   }
 }
 
@@ -230,7 +230,7 @@ TEST(OnePreparation, SampleAfterAnyExtensionIsThatOfANewObject)
   const Cloud::Ptr cloud = toCloud(twoBoxes(400, 205));
   RandomGenerator generator(4);
   Sampler sampler = objectFor<Sampler>(cloud);
-  sampled(sampler);
+  proposalOf(sampler);
   const FieldCount fields;
   for (int n = 0; n < 60; ++n) {
     sampler.setNumberOfSeeds(1 + static_cast<int>(drawBelow(generator, 25)));
@@ -242,12 +242,12 @@ TEST(OnePreparation, SampleAfterAnyExtensionIsThatOfANewObject)
       sampler.extend(1 + static_cast<int>(drawBelow(generator, 30)), seeds);
       continue;
     }
-    const SeedProposal found = sampled(sampler);
+    const SeedProposal found = proposalOf(sampler);
     Sampler fresh = objectFor<Sampler>(nullptr);
     fresh.setPreparedScan(sampler.getPreparedScan());
     fresh.setNumberOfSeeds(sampler.getNumberOfSeeds());
     fresh.setCoverage(sampler.getCoverage());
-    expectSameProposal(found, sampled(fresh));
+    expectSameProposal(found, proposalOf(fresh));
   }
   EXPECT_EQ(fields.now(), 0u);
 }
@@ -291,7 +291,7 @@ TEST(OnePreparation, AnotherSettingOfThePreparationPreparesAgain)
                  {"no search surface", [](Sampler& s) { s.setSearchSurface(nullptr); }},
                  {"input", [&](Sampler& s) { s.setInputCloud(cloud); }}};
   Sampler sampler = objectFor<Sampler>(cloud);
-  sampled(sampler);
+  proposalOf(sampler);
   for (std::size_t n = 0; n < std::size(changes); ++n) {
     SCOPED_TRACE(changes[n].name);
     const FieldCount fields;
@@ -299,13 +299,13 @@ TEST(OnePreparation, AnotherSettingOfThePreparationPreparesAgain)
     EXPECT_FALSE(sampler.getPreparedScan());
     EXPECT_FALSE(sampler.getGrouping());
     EXPECT_TRUE(sampler.getProposal().seeds.empty());
-    const SeedProposal found = sampled(sampler);
+    const SeedProposal found = proposalOf(sampler);
     EXPECT_EQ(fields.now(), 1u);
     EXPECT_EQ(sampler.getGrouping()->comparisons(), 12u);
     Sampler fresh = objectFor<Sampler>(cloud);
     for (std::size_t k = 0; k <= n; ++k)
       changes[k].change(fresh);
-    const SeedProposal expected = sampled(fresh);
+    const SeedProposal expected = proposalOf(fresh);
     EXPECT_EQ(found.seeds, expected.seeds);
     EXPECT_EQ(found.group, expected.group);
     EXPECT_EQ(found.coverage, expected.coverage);
@@ -319,7 +319,7 @@ TEST(OnePreparation, AnotherSettingOfThePreparationPreparesAgain)
 TEST(OnePreparation, RefusedSettingsPrepareNothing)
 {
   Sampler sampler = objectFor<Sampler>(toCloud(twoBoxes(300, 208)));
-  const SeedProposal before = sampled(sampler);
+  const SeedProposal before = proposalOf(sampler);
   const FieldCount fields;
   EXPECT_THROW(sampler.setSubsample(-1), CIDException);
   EXPECT_THROW(sampler.setStartIndex(-1), CIDException);
@@ -328,7 +328,7 @@ TEST(OnePreparation, RefusedSettingsPrepareNothing)
   EXPECT_THROW(sampler.setColorWeight(-1.0f), CIDException);
   EXPECT_THROW(sampler.setPreparedScan(nullptr), CIDException);
   EXPECT_EQ(sampler.getProposal().seeds, before.seeds);
-  expectSameProposal(sampled(sampler), before);
+  expectSameProposal(proposalOf(sampler), before);
   EXPECT_EQ(fields.now(), 0u);
 }
 
@@ -340,13 +340,13 @@ TEST(OnePreparation, SetScanGivesWhatItsOwnPreparationGives)
   sampler.setRandomSeed(11);
   sampler.setDensityWeight(DensityWeight::on);
   sampler.setStartIndex(77);
-  const SeedProposal expected = sampled(sampler);
+  const SeedProposal expected = proposalOf(sampler);
   const FieldCount fields;
   Sampler other;
   other.setPreparedScan(sampler.getPreparedScan());
   other.setNumberOfSeeds(12);
   other.setNumberOfSamples(30);
-  expectSameProposal(sampled(other), expected);
+  expectSameProposal(proposalOf(other), expected);
   EXPECT_EQ(other.getSubsample(), 200);
   EXPECT_EQ(other.getRandomSeed(), 11u);
   EXPECT_EQ(other.getDensityWeight(), DensityWeight::on);
@@ -356,7 +356,7 @@ TEST(OnePreparation, SetScanGivesWhatItsOwnPreparationGives)
   abstraction.setPreparedScan(sampler.getPreparedScan());
   abstraction.setNumberOfSeeds(12);
   abstraction.setNumberOfSamples(30);
-  reconstructed(abstraction);
+  partsOf(abstraction);
   EXPECT_EQ(abstraction.getProposal().group, expected.group);
   EXPECT_EQ(fields.now(), 0u);
 
@@ -369,7 +369,7 @@ TEST(OnePreparation, InputMustBeTheOneThatWasPrepared)
 {
   const Cloud::Ptr cloud = toCloud(twoBoxes(200, 210));
   Sampler sampler = objectFor<Sampler>(cloud);
-  sampled(sampler);
+  proposalOf(sampler);
   Propagation propagation;
   propagation.setInputCloud(toCloud(twoBoxes(199, 210)));
   propagation.setGrouping(sampler.getGrouping());
@@ -386,7 +386,7 @@ TEST(OnePreparation, InputMustBeTheOneThatWasPrepared)
         << error.what();
   }
   EXPECT_TRUE(out.empty());
-  EXPECT_EQ(labelled(propagation).size(), 200u) << "labels need no input";
+  EXPECT_EQ(labelsOf(propagation).size(), 200u) << "labels need no input";
   Propagation without_input;
   without_input.setGrouping(sampler.getGrouping());
   EXPECT_THROW(without_input.segment(out), CIDException);
@@ -399,13 +399,13 @@ TEST(OnePreparation, InputMustBeTheOneThatWasPrepared)
 TEST(OnePreparation, CopiesOfAnObjectGoTheirOwnWays)
 {
   Sampler sampler = objectFor<Sampler>(toCloud(twoBoxes(300, 211)));
-  const SeedProposal twelve = sampled(sampler);
+  const SeedProposal twelve = proposalOf(sampler);
   const FieldCount fields;
   Sampler copy = sampler;
   pcl::Indices seeds;
   copy.extend(20, seeds);
   EXPECT_EQ(sampler.getGrouping()->numberOfSeeds(), 12u);
-  expectSameProposal(sampled(sampler), twelve);
+  expectSameProposal(proposalOf(sampler), twelve);
   sampler.extend(20, seeds);
   expectSameProposal(sampler.getProposal(), copy.getProposal());
   EXPECT_EQ(fields.now(), 0u);
@@ -414,7 +414,7 @@ TEST(OnePreparation, CopiesOfAnObjectGoTheirOwnWays)
 TEST(OnePreparation, CancelledVerbKeepsWhatWasPrepared)
 {
   Sampler sampler = objectFor<Sampler>(toCloud(twoBoxes(2000, 212)));
-  const SeedProposal before = sampled(sampler);
+  const SeedProposal before = proposalOf(sampler);
   const FieldCount fields;
   sampler.setNumberOfSeeds(30);
   sampler.setProgressCallback([](double) { return false; });
@@ -423,7 +423,7 @@ TEST(OnePreparation, CancelledVerbKeepsWhatWasPrepared)
   EXPECT_TRUE(sampler.getProposal().seeds.empty());
   sampler.setProgressCallback({});
   sampler.setNumberOfSeeds(12);
-  expectSameProposal(sampled(sampler), before);
+  expectSameProposal(proposalOf(sampler), before);
   EXPECT_EQ(sampler.getGrouping()->comparisons(), 12u);
   EXPECT_EQ(fields.now(), 0u);
 }

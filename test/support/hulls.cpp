@@ -15,6 +15,7 @@
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/hull_guarantees.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -35,18 +36,18 @@ countTo(std::size_t count)
 
 /** 0 to 1. */
 double
-uniform(RandomGenerator& generator)
+uniformInDouble(RandomGenerator& generator)
 {
   constexpr std::uint64_t steps = 1u << 24;
   return static_cast<double>(drawBelow(generator, steps)) / static_cast<double>(steps);
 }
 
 Eigen::Vector3d
-uniformVector(RandomGenerator& generator)
+uniformVectorInDouble(RandomGenerator& generator)
 {
-  const double x = uniform(generator);
-  const double y = uniform(generator);
-  const double z = uniform(generator);
+  const double x = uniformInDouble(generator);
+  const double y = uniformInDouble(generator);
+  const double z = uniformInDouble(generator);
   return {x, y, z};
 }
 
@@ -54,18 +55,18 @@ uniformVector(RandomGenerator& generator)
 double
 randomExtent(RandomGenerator& generator)
 {
-  const double kind = uniform(generator);
+  const double kind = uniformInDouble(generator);
   if (kind < 0.3)
     return 0.0;
-  return kind < 0.7 ? std::pow(10.0, -7.0 * uniform(generator)) : 1.0;
+  return kind < 0.7 ? std::pow(10.0, -7.0 * uniformInDouble(generator)) : 1.0;
 }
 
 Eigen::Quaterniond
 randomRotation(RandomGenerator& generator)
 {
   const Eigen::Vector3d axis =
-      uniformVector(generator) - Eigen::Vector3d::Constant(0.5);
-  const bool turned = uniform(generator) < 0.7;
+      uniformVectorInDouble(generator) - Eigen::Vector3d::Constant(0.5);
+  const bool turned = uniformInDouble(generator) < 0.7;
   return turned ? Eigen::Quaterniond(
                       Eigen::AngleAxisd(axis.norm() * 6.0, axis.normalized()))
                 : Eigen::Quaterniond::Identity();
@@ -104,6 +105,19 @@ trianglesOf(const std::vector<ConvexPart>& parts)
   return triangles;
 }
 
+double
+excess(const TriangleMesh& hull, const Eigen::Vector3d& p)
+{
+  double most = -INFINITY;
+  for (const auto& [a, b, c] : hull.triangles) {
+    const Eigen::Vector3d& origin = hull.vertices[a];
+    const Eigen::Vector3d normal =
+        (hull.vertices[b] - origin).cross(hull.vertices[c] - origin).normalized();
+    most = std::max(most, normal.dot(p - origin));
+  }
+  return most;
+}
+
 void
 expectGuarantees(const ConvexPart& part,
                  const Points& points,
@@ -130,17 +144,18 @@ randomSmallCloud(std::uint64_t seed)
 {
   RandomGenerator generator(seed);
   const std::size_t count = 1 + drawBelow(generator, 60);
-  const double scale = std::pow(10.0, -3.0 + 6.0 * uniform(generator));
+  const double scale = std::pow(10.0, -3.0 + 6.0 * uniformInDouble(generator));
   Eigen::Vector3d extents;
   for (double& extent : extents)
     extent = scale * randomExtent(generator);
   const Eigen::Quaterniond rotation = randomRotation(generator);
-  const bool is_far = uniform(generator) < 0.5;
-  const double offset = is_far ? scale * std::pow(10.0, 4.0 * uniform(generator)) : 0.0;
-  const bool on_grid = uniform(generator) < 0.25;
+  const bool is_far = uniformInDouble(generator) < 0.5;
+  const double offset =
+      is_far ? scale * std::pow(10.0, 4.0 * uniformInDouble(generator)) : 0.0;
+  const bool on_grid = uniformInDouble(generator) < 0.25;
   Points points;
   for (std::size_t i = 0; i < count; ++i) {
-    Eigen::Vector3d p = uniformVector(generator);
+    Eigen::Vector3d p = uniformVectorInDouble(generator);
     if (on_grid)
       p = (3.0 * p).array().round() / 3.0;
     p = rotation * p.cwiseProduct(extents) + Eigen::Vector3d::Constant(offset);

@@ -37,6 +37,10 @@ inDouble(const Points& points);
 std::size_t
 trianglesOf(const std::vector<ConvexPart>& parts);
 
+/** How far outside of a hull: the largest excess over its faces. */
+double
+excess(const TriangleMesh& hull, const Eigen::Vector3d& p);
+
 /** Fails with the first guarantee that a part breaks; its volume, area and thickness
  *  must be those of its hull.
  *  \param[in] points of the input cloud

@@ -42,4 +42,12 @@ prepared(const Points& points, const PreparationSettings& settings)
   return std::make_shared<const PreparedScan>(rawScan(points), settings);
 }
 
+ExecutionOptions
+onThreads(unsigned int threads)
+{
+  ExecutionOptions execution;
+  execution.threads = threads;
+  return execution;
+}
+
 } // namespace pcl_cid::test

@@ -25,4 +25,7 @@ plainSettings();
 PreparedScan::ConstPtr
 prepared(const Points& points, const PreparationSettings& settings = plainSettings());
 
+ExecutionOptions
+onThreads(unsigned int threads);
+
 } // namespace pcl_cid::test

@@ -7,6 +7,7 @@
  * Concavity-Induced Distance of two points and of two groups: Eq. 1 to 3.
  */
 
+#include "base/infinity.h"
 #include "base/rounding.h"
 #include "base/sentence.h"
 #include "segment_search.h"
@@ -15,13 +16,10 @@
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace pcl_cid {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** A stretch of the segment between two samples whose distances are known. */
 struct Stretch {

@@ -9,18 +9,13 @@
 
 #include "node_costs.h"
 
+#include "base/infinity.h"
 #include "base/parallel_for.h"
 #include "base/sentence.h"
 
 #include <algorithm>
 
 namespace pcl_cid {
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-} // namespace
-
 void
 requireCosts(const PairCosts& costs, std::size_t points)
 {

@@ -8,6 +8,7 @@
  */
 
 #include "segment_search.h"
+#include "base/infinity.h"
 #include "base/rounding.h"
 
 #include "field/distance_grid.h"
@@ -20,8 +21,6 @@
 
 namespace pcl_cid {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** Levels of samples that the search for the largest distance begins with. */
 constexpr std::size_t first_levels = 3;

@@ -7,17 +7,15 @@
  * A new seed against whole blocks of points, down the tree.
  */
 
+#include "base/infinity.h"
 #include "block_groups.h"
 #include "cid/sample_caps.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl_cid {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** Levels of samples that are tried at an inner node of the tree. */
 constexpr std::size_t node_levels = 4;

@@ -8,14 +8,13 @@
  */
 
 #include "block_groups.h"
+#include "base/infinity.h"
 #include "base/rounding.h"
 
 #include <algorithm>
 
 namespace pcl_cid {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** A seed is compared with this many subtrees in parallel. */
 constexpr std::size_t most_subtrees = 1024;

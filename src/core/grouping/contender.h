@@ -9,10 +9,11 @@
 
 #pragma once
 
+#include "base/infinity.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace pcl_cid {
 
@@ -37,7 +38,6 @@ struct Contender {
   float
   limitAgainst(const Contender& other) const
   {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     return rank < other.rank ? std::nextafter(other.low, infinity) : other.low;
   }
 };

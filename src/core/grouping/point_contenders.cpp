@@ -7,6 +7,7 @@
  * The nearest seed of one point, among those that its block could not tell apart.
  */
 
+#include "base/infinity.h"
 #include "block_groups.h"
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 
 namespace pcl_cid {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /** More contenders than this are many: typically the seeds of one wall, whose CIDs are
  *  all about the spacing of the points. */

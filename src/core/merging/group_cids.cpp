@@ -8,13 +8,13 @@
  */
 
 #include "group_cids.h"
+#include "base/infinity.h"
 #include "base/rounding.h"
 
 #include "cid/segment_search.h"
 #include "field/distance_grid.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace pcl_cid {
@@ -22,8 +22,6 @@ namespace {
 
 /** The share of the progress that the rough bounds take. */
 constexpr double bounds_share = 0.05;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 } // namespace
 

@@ -7,6 +7,7 @@
  * The floor under a scanner, which the scanner itself hides.
  */
 
+#include "base/infinity.h"
 #include "base/progress.h"
 #include "base/requirements.h"
 
@@ -17,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <pcl/point_cloud.h>
@@ -28,7 +28,6 @@
 namespace pcl_cid {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float pi = 3.14159265f;
 
 /** Points that take part in the search for the floor. */

@@ -8,6 +8,7 @@
  */
 
 #include "clouds.h"
+#include "prepared_points.h"
 
 #include <pcl_cid/core/cid_from.h>
 #include <pcl_cid/core/concavity.h>
@@ -17,14 +18,6 @@
 
 namespace pcl_cid::test {
 namespace {
-
-ExecutionOptions
-onThreads(unsigned int threads)
-{
-  ExecutionOptions execution;
-  execution.threads = threads;
-  return execution;
-}
 
 class CIDFromPoints : public testing::TestWithParam<NamedPoints> {};
 

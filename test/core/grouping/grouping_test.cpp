@@ -36,14 +36,6 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-ExecutionOptions
-onThreads(unsigned int threads)
-{
-  ExecutionOptions execution;
-  execution.threads = threads;
-  return execution;
-}
-
 /** All that a grouping says of its seeds and points. */
 struct State {
   pcl::Indices seeds;

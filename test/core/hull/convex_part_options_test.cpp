@@ -78,20 +78,6 @@ TEST(MaxVertices, AReducedHullLiesInTheBoxOfThePoints)
     }
 }
 
-/** How far a point is outside of a hull, by its faces. */
-double
-excess(const TriangleMesh& hull, const Eigen::Vector3d& p)
-{
-  double most = -INFINITY;
-  for (const auto& [a, b, c] : hull.triangles) {
-    const Eigen::Vector3d& origin = hull.vertices[a];
-    const Eigen::Vector3d normal =
-        (hull.vertices[b] - origin).cross(hull.vertices[c] - origin).normalized();
-    most = std::max(most, normal.dot(p - origin));
-  }
-  return most;
-}
-
 TEST(Padding, ReachesAsFarAsAskedAndAtMostSqrt3TimesAsFar)
 {
   for (const NamedPoints& cloud : allClouds()) {

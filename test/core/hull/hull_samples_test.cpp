@@ -21,16 +21,6 @@ namespace {
 
 constexpr std::size_t sample_count = 3000;
 
-/** How far outside of a hull: the largest excess over its faces. */
-double
-excess(const TriangleMesh& hull, const Eigen::Vector3d& p)
-{
-  double most = -INFINITY;
-  for (const HalfSpace& half_space : halfSpacesOf(hull))
-    most = std::max(most, half_space.excess(p));
-  return most;
-}
-
 TEST(HullSamples, LieOnTheSurfaceOrInside)
 {
   for (const NamedPoints& cloud : allClouds()) {

@@ -8,6 +8,7 @@
  */
 
 #include "clouds.h"
+#include "prepared_points.h"
 #include "scan/nearest_neighbors.h"
 
 #include <pcl_cid/exceptions.h>
@@ -19,14 +20,6 @@
 
 namespace pcl_cid::test {
 namespace {
-
-ExecutionOptions
-onThreads(unsigned int threads)
-{
-  ExecutionOptions execution;
-  execution.threads = threads;
-  return execution;
-}
 
 /** The first point of each place. */
 pcl::Indices
