@@ -158,6 +158,12 @@ expectAgreesWithAlgorithm1(const SeedProposal& proposal,
                 tolerance)
         << "coverage " << k;
   }
+  for (std::size_t k = 0; k < proposal.seeds.size(); ++k) { // a seed keeps its point
+    const auto seed = static_cast<std::size_t>(proposal.seeds[k]);
+    EXPECT_EQ(proposal.seeds[static_cast<std::size_t>(proposal.group[seed])],
+              proposal.seeds[k]);
+    to_own_seed[seed] = nearest[seed];
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_LE(to_own_seed[i], nearest[i] + tolerance) << "group of point " << i;
     EXPECT_NEAR(static_cast<double>(proposal.cid[i]), nearest[i], tolerance)
@@ -231,11 +237,15 @@ proposeByAllPairs(const DistanceField& field,
     const auto counted = chances(proposal.cid, withoutDraws(options), 0);
     proposal.coverage.push_back(*std::max_element(counted.begin(), counted.end()));
     if (proposal.seeds.size() == options.seeds || proposal.coverage.back() <= 0.0f)
-      return proposal;
+      break;
     const auto chance = chances(proposal.cid, options, proposal.seeds.size());
     next = static_cast<std::size_t>(std::max_element(chance.begin(), chance.end()) -
                                     chance.begin());
   }
+  for (std::size_t k = 0; k < proposal.seeds.size(); ++k) // a seed keeps its point
+    proposal.group[static_cast<std::size_t>(proposal.seeds[k])] =
+        static_cast<pcl::index_t>(k);
+  return proposal;
 }
 
 void

@@ -33,10 +33,11 @@ struct SeedProposal {
   pcl::Indices seeds;
   /** Number (0, 1, ...) of the seed with the smallest CID_p (or cost, where pairs have
    *  one) to each point; -1 for a point that was not grouped. At equal CID the earlier
-   *  seed keeps the point. */
+   *  seed keeps the point. The point of a seed always belongs to that seed. */
   std::vector<pcl::index_t> group;
-  /** CID_p (or cost) of each point to that seed, metres; NaN for a point that was not
-   *  grouped. Empty when it was not asked for. */
+  /** The smallest CID_p (or cost) of each point to any of the seeds, metres: that to
+   * its seed, except that the point of a seed may be nearer to another one. NaN for a
+   * point that was not grouped. Empty when it was not asked for. */
   std::vector<float> cid;
   /** r_k for each seed: the largest entry of `cid` once that seed was taken in. Never
    *  grows; the last one is a guarantee: every point that is not isolated is within it
@@ -166,12 +167,13 @@ public:
   }
 
   /** \brief The number of the seed of each point of the cloud, -1 for a point that is
-   *  not finite or not selected, and for all without seeds. */
+   *  not finite or not selected, and for all without seeds. The point of a seed always
+   *  belongs to that seed. */
   std::vector<pcl::index_t>
   groups(const ExecutionOptions& execution = {}) const;
 
-  /** \brief The CID (or cost) of each point of the cloud to its seed, metres; NaN where
-   *  there is none.
+  /** \brief The smallest CID (or cost) of each point of the cloud to any of the seeds,
+   *  metres; NaN where there is none.
    *  \note Where they are not kept, they are made exact on a copy first. */
   std::vector<float>
   cids(const ExecutionOptions& execution = {}) const;

@@ -247,6 +247,9 @@ BlockGroups::groups(Work work) const
                   groups[i] = static_cast<pcl::index_t>(
                       seed(states_[points_.slotOf(i)].group).rank);
               });
+  // The earlier seed keeps a point that is given twice.
+  for (std::size_t rank = ranked_.size(); rank-- > 0;)
+    groups[seed(ranked_[rank]).point.index] = static_cast<pcl::index_t>(rank);
   return groups;
 }
 

@@ -120,7 +120,8 @@ public:
   void
   decideAll(bool exactly, Work work, ProgressSpan span);
 
-  /** \brief The rank of the seed of each point, once all are decided. */
+  /** \brief The rank of the seed of each point, once all are decided: that of the
+   *  smallest cost, but a seed keeps its own point. */
   std::vector<pcl::index_t>
   groups(Work work) const;
 

@@ -14,6 +14,7 @@
 #include "scan/working_set.h"
 
 #include <pcl_cid/core/concavity.h>
+#include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/exceptions.h>
 
@@ -134,6 +135,9 @@ public:
           group_[i] = static_cast<pcl::index_t>(k);
         }
     }
+    for (std::size_t k = 0; k < seeds.size(); ++k) // whatever it costs
+      group_[static_cast<std::size_t>(scan_.workingIndex(seeds[k], "seed"))] =
+          static_cast<pcl::index_t>(k);
   }
 
   State
@@ -383,6 +387,21 @@ aboveASurface(const Points& points)
   return std::make_shared<const PreparedScan>(scan, plainSettings());
 }
 
+/** The farther up, the sparser they are: to itself a point costs more than to the
+ * sparser ones. */
+PreparedScan::ConstPtr
+unevenAboveASurface(const Points& points)
+{
+  RawScan scan = rawScan(points);
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    scan.surface.push_back(scan.points.points[i] - Eigen::Vector3f(0.0f, 0.0f, 0.5f));
+  for (Eigen::Vector3f& p : scan.points.points)
+    p.z() += 2.0f * p.z() * p.z();
+  PreparationSettings settings = plainSettings();
+  settings.density = DensityWeight::on;
+  return std::make_shared<const PreparedScan>(scan, settings);
+}
+
 /** Every way in which points can be prepared that makes a difference to a grouping. */
 std::vector<NamedScan>
 scansOf(const Points& points)
@@ -401,6 +420,7 @@ scansOf(const Points& points)
   return {{"plain", prepared(points)},
           {"weighted", weighted(points)},
           {"above_a_surface", aboveASurface(points)},
+          {"uneven_above_a_surface", unevenAboveASurface(points)},
           {"subsample", prepared(points, subsample)},
           {"isolated", prepared(points, isolated)},
           {"candidates", prepared(points, candidates)}};
@@ -651,6 +671,52 @@ TEST(Grouping, RefusesBadSeedsAndNumbersAndChangesNothing)
   grouping.insertSeeds({}, 3);
   grouping.removeSeeds({});
   expectSame(stateOf(grouping), before.state);
+}
+
+void
+expectSeedsKeepTheirPoints(const Grouping& grouping)
+{
+  const pcl::Indices seeds = grouping.seeds();
+  const std::vector<pcl::index_t> groups = grouping.groups();
+  for (std::size_t k = 0; k < seeds.size(); ++k)
+    EXPECT_EQ(groups[static_cast<std::size_t>(seeds[k])], static_cast<pcl::index_t>(k));
+  EXPECT_EQ(mergeGroups(grouping).numberOfGroups(), seeds.size());
+}
+
+TEST(Grouping, SeedsKeepTheirPointsAwayFromTheSurface)
+{
+  for (const bool uneven : {false, true}) {
+    const Points points = twoBoxes(200, 77);
+    Grouping grouping(uneven ? unevenAboveASurface(points) : aboveASurface(points));
+    pcl::Indices seeds;
+    for (pcl::index_t i = 0; i < 40; ++i)
+      seeds.push_back(5 * i);
+    grouping.addSeeds(seeds);
+    expectSeedsKeepTheirPoints(grouping);
+    expectEqualsAllPairs(grouping);
+    grouping.removeSeeds({3, 0, 20});
+    expectSeedsKeepTheirPoints(grouping);
+    grouping.insertSeeds({0, 7, 9}, 5);
+    grouping.propose(45);
+    expectSeedsKeepTheirPoints(grouping);
+    expectEqualsAllPairs(grouping);
+    expectEqualsScratch(grouping);
+  }
+}
+
+TEST(Grouping, SeedsAtOnePlaceKeepTheirPoints)
+{
+  Points points = randomCube(60, 78);
+  points.insert(points.end(), 4, points[10]);
+  Grouping grouping(prepared(points));
+  grouping.addSeeds({60, 10, 61});
+  grouping.insertSeeds({63}, 0); // the first takes the others at this place
+  const std::vector<pcl::index_t> groups = grouping.groups();
+  EXPECT_EQ(groups[62], 0);
+  EXPECT_EQ(std::count(groups.begin(), groups.end(), 1), 1);
+  expectSeedsKeepTheirPoints(grouping);
+  expectEqualsAllPairs(grouping);
+  expectEqualsScratch(grouping);
 }
 
 TEST(Grouping, RefusesBadSettings)
