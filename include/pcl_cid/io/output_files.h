@@ -14,16 +14,21 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace pcl_cid {
 
+class RunFolder;
+struct Change;
+
 /** \brief The outputs of one run.
  *
- *  Each is written beside its place, under a name of its own, and renamed once all of
- *  them are written and on the disk; until then, and when anything fails, nothing
- *  appears and what was there before stays.
+ *  Each is written beside its place, under a hidden name, and renamed once all of them
+ *  are written and on the disk; until then, and when anything fails, nothing appears
+ * and what was there before stays. When the process is killed amid the renames, the
+ * next run with outputs in the folder takes them back.
  *
  *  \code
  *    pcl_cid::OutputFiles outputs({"scan.pcd"});
@@ -45,8 +50,9 @@ public:
 
   /** \brief Make sure, before long work, that this output can be written.
    *  \throws CIDException when it is an input (under whatever name) or another output,
-   *  when its folder is missing or not writable, or when something that is not a file
-   *  has its name */
+   *  when its folder is missing or not writable, when something that is not a file has
+   *  its name, or when what a run that was killed left in the folder cannot be taken
+   *  back */
   void
   announce(const std::string& path);
 
@@ -77,7 +83,9 @@ public:
 
   /** \brief Put all outputs in place, then remove what was announced for removal.
    *  \throws CIDException when one of these fails; then no output stays, and every
-   *  older file is back in its place (or the message says where it is) */
+   *  older file is back in its place, or the message says where it is. Only when all
+   *  outputs are in place and a hidden file cannot be removed, they stay, and the
+   * message says that. */
   void
   commit();
 
@@ -89,7 +97,8 @@ private:
   };
 
   struct Removal {
-    std::string path;   ///< the file itself, even where that is a link
+    std::string path;   ///< as announced, absolute
+    std::string file;   ///< the file itself, even where that is a link
     std::string target; ///< the file that it names, links resolved
   };
 
@@ -99,17 +108,17 @@ private:
   bool
   isOutput(const std::string& target) const;
 
-  /** A file that commit() replaces, removes or lets appear. */
-  struct Change {
-    std::string file;
-    std::string older; ///< what was there, until all is done; empty: nothing was
-  };
+  RunFolder&
+  enter(const std::string& path, const std::string& folder);
 
   void
-  keepOlder(const std::string& path, const std::string& file);
+  discard() noexcept;
 
-  std::string
-  takeBack();
+  void
+  commitIn(const std::string& base);
+
+  std::vector<Change>
+  changes();
 
   Output&
   find(const std::string& path);
@@ -118,7 +127,7 @@ private:
   std::vector<Output> outputs_;
   std::vector<std::string> made_folders_;
   std::vector<Removal> removals_;
-  std::vector<Change> changes_;
+  std::vector<std::unique_ptr<RunFolder>> folders_;
 };
 
 } // namespace pcl_cid

@@ -9,11 +9,16 @@
 
 #include <pcl_cid/io/output_files.h>
 
+#include "commit_record.h"
+#include "dead_runs.h"
+#include "run_folder.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -24,6 +29,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/** What a link names, be it nothing yet; other names mean themselves.
+ *  \throws fs::filesystem_error */
+fs::path
+followed(fs::path path)
+{
+  constexpr int most_links = 40; // as the system follows
+  for (int links = 0; fs::is_symlink(fs::symlink_status(path)); ++links) {
+    if (links == most_links)
+      throw fs::filesystem_error(
+          "", std::make_error_code(std::errc::too_many_symbolic_link_levels));
+    path = path.parent_path() / fs::read_symlink(path);
+  }
+  return path;
+}
+
+/** The file or folder that a name means, links and ".." resolved.
+ *  \throws CIDException when nobody can say */
+fs::path
+resolved(const std::string& path)
+{
+  try {
+    fs::path name = fs::absolute(path);
+    // "folder/" means the folder.
+    if (!name.has_filename())
+      name = name.parent_path();
+    return fs::weakly_canonical(followed(name));
+  }
+  catch (const fs::filesystem_error& error) {
+    throw CIDException(path + ": cannot be written: " + error.code().message());
+  }
+}
+
 /** Whether two names mean one file, also through links, hard links and "..". */
 bool
 areSame(const std::string& first, const std::string& second)
@@ -31,23 +68,14 @@ areSame(const std::string& first, const std::string& second)
   std::error_code error;
   if (fs::equivalent(first, second, error))
     return true;
-  return fs::weakly_canonical(first, error) == fs::weakly_canonical(second, error);
-}
-
-/** The file or folder that a name means, links and ".." resolved. */
-fs::path
-resolved(const std::string& path)
-{
-  fs::path target = fs::weakly_canonical(fs::absolute(path));
-  // "folder/" means the folder.
-  return target.has_filename() ? target : target.parent_path();
+  const fs::path file = fs::weakly_canonical(first, error);
+  return !error && file == fs::weakly_canonical(second, error) && !error;
 }
 
 void
-requireFolder(const std::string& path)
+requireFolder(const std::string& path, const fs::path& folder)
 {
   std::error_code error;
-  const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error))
     throw CIDException(path + ": the folder " + folder.string() +
                        " does not exist; create it first");
@@ -62,72 +90,6 @@ requireFileOrNothing(const std::string& path)
                        ": exists and is not a regular file; choose another name");
 }
 
-/** Make something beside a file, under a name that nothing has yet.
- *  \param[in] purpose part of the name
- *  \param[in] make called with names; returns 0 or what kept it from being made, EEXIST
- *  for the next name */
-template <typename Make>
-std::string
-makeBeside(const std::string& path,
-           const fs::path& file,
-           const std::string& purpose,
-           Make make)
-{
-  for (int attempt = 0;; ++attempt) {
-    const fs::path beside =
-        file.parent_path() / ("." + file.filename().string() + "." + purpose + "-" +
-                              std::to_string(getpid()) + "-" + std::to_string(attempt));
-    const int reason = make(beside.string());
-    if (reason == 0)
-      return beside.string();
-    if (reason != EEXIST)
-      throw CIDException(path + ": cannot be written: " + std::strerror(reason));
-  }
-}
-
-/** \return 0 or the reason why not */
-int
-makeEmpty(const std::string& name)
-{
-  const int file = open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (file < 0)
-    return errno;
-  close(file);
-  return 0;
-}
-
-/** Give a file a second name; where the file system has no hard links, rename it.
- *  \return 0 or the reason why not */
-int
-makeLink(const std::string& file, const std::string& name)
-{
-  if (link(file.c_str(), name.c_str()) == 0)
-    return 0;
-  if (errno == EEXIST)
-    return EEXIST;
-  const int reason = makeEmpty(name);
-  if (reason != 0)
-    return reason;
-  return rename(file.c_str(), name.c_str()) == 0 ? 0 : errno;
-}
-
-/** Let what was written reach the disk: a file that is put in place before that may be
- *  empty after a power failure. */
-void
-synchronize(const std::string& path, const std::string& written)
-{
-  const int file = open(written.c_str(), O_RDONLY | O_CLOEXEC);
-  int reason = file < 0 ? errno : EINTR;
-  while (file >= 0 && reason == EINTR)
-    reason = fsync(file) == 0 ? 0 : errno;
-  if (file >= 0)
-    close(file);
-  const bool is_promised = reason != EINVAL && reason != ENOTSUP; // not everywhere
-  if (reason != 0 && is_promised)
-    throw CIDException(path +
-                       ": could not be written in full: " + std::strerror(reason));
-}
-
 } // namespace
 
 OutputFiles::OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs))
@@ -136,51 +98,76 @@ OutputFiles::OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(in
 
 OutputFiles::~OutputFiles()
 {
-  std::error_code error;
+  discard();
+}
+
+/** Remove what was not committed. It needs no memory: the want of it may be why. */
+void
+OutputFiles::discard() noexcept
+{
   for (const Output& output : outputs_)
-    fs::remove(output.partial, error);
+    unlink(output.partial.c_str());
+  outputs_.clear();
+  folders_.clear();
   // Folders in folders first; and only when nobody has put anything into them.
   for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder)
-    fs::remove(*folder, error);
+    rmdir(folder->c_str());
+  made_folders_.clear();
+  removals_.clear();
 }
 
 void
 OutputFiles::announce(const std::string& path)
 {
   refuseInput(path);
-  requireFolder(path);
+  requireFolder(path, fs::path(path).parent_path());
   requireFileOrNothing(path);
   const fs::path target = resolved(path);
+  requireFolder(path, target.parent_path());
   for (const Output& output : outputs_)
     if (target == output.target)
       throw CIDException(path + ": is written twice, the other time as " + output.path +
                          "; choose another name");
-  outputs_.push_back(
-      {path, target.string(), makeBeside(path, target, "partial", makeEmpty)});
+  RunFolder& folder = enter(path, target.parent_path().string());
+  outputs_.push_back({path, target.string(), folder.newName("partial")});
+  const OpenFile partial(outputs_.back().partial, O_CREAT | O_EXCL | O_WRONLY);
+  if (partial.get() < 0) {
+    const int reason = errno;
+    outputs_.pop_back();
+    throw CIDException(path + ": cannot be written: " + std::strerror(reason));
+  }
 }
 
 void
 OutputFiles::announceFolder(const std::string& path)
 {
   std::error_code error;
-  const fs::path folder = resolved(path);
+  const std::string folder = resolved(path).string();
   if (!fs::exists(folder, error)) {
-    requireFolder(folder.string());
-    if (!fs::create_directory(folder, error))
+    requireFolder(folder, fs::path(folder).parent_path());
+    made_folders_.push_back(folder);
+    if (!fs::create_directory(folder, error)) {
+      made_folders_.pop_back();
       throw CIDException(path + ": the folder cannot be made: " + error.message());
-    made_folders_.push_back(folder.string());
+    }
   }
   if (!fs::is_directory(folder, error))
     throw CIDException(path + ": exists and is not a folder; choose another name");
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     throw CIDException(path + ": cannot be written to: " + std::strerror(errno));
+  enter(path, folder);
 }
 
 void
 OutputFiles::announceRemoval(const std::string& path)
 {
   refuseInput(path);
-  removals_.push_back({fs::absolute(path).string(), resolved(path).string()});
+  const fs::path name = fs::absolute(path);
+  const std::string folder = resolved(name.parent_path().string()).string();
+  enter(path, folder);
+  removals_.push_back({name.string(),
+                       (fs::path(folder) / name.filename()).string(),
+                       resolved(path).string()});
 }
 
 void
@@ -194,7 +181,9 @@ OutputFiles::write(const std::string& path,
   if (!stream)
     throw CIDException(path +
                        ": could not be written in full: " + std::strerror(errno));
-  synchronize(path, output.partial);
+  if (const int reason = synchronize(output.partial))
+    throw CIDException(path +
+                       ": could not be written in full: " + std::strerror(reason));
 }
 
 std::string
@@ -207,57 +196,53 @@ void
 OutputFiles::commit()
 {
   try {
-    for (const Output& output : outputs_) {
-      keepOlder(output.path, output.target);
-      std::error_code error;
-      fs::rename(output.partial, output.target, error);
-      if (error)
-        throw CIDException(output.path +
-                           ": cannot be put in place: " + error.message());
-    }
-    for (const Removal& removal : removals_)
-      if (!isOutput(removal.target)) {
-        keepOlder(removal.path, removal.path);
-        std::error_code error;
-        fs::remove(removal.path, error);
-        if (error)
-          throw CIDException(removal.path +
-                             ": is of an earlier run and cannot be "
-                             "removed: " +
-                             error.message());
-      }
-  }
-  catch (const CIDException& failure) {
-    throw CIDException(failure.what() + takeBack());
+    if (!folders_.empty())
+      commitIn(folders_.front()->base());
   }
   catch (...) {
-    takeBack();
+    discard();
     throw;
   }
-  std::error_code ignored;
-  for (const Change& change : changes_)
-    fs::remove(change.older, ignored);
-  changes_.clear();
-  outputs_.clear();
-  made_folders_.clear();
-  removals_.clear();
+  discard(); // nothing but the locks is left
 }
 
-/** Note that a file is about to change, and keep what is there until all outputs are in
- *  place. */
+/** \param[in] base in the first folder: there the record will be */
 void
-OutputFiles::keepOlder(const std::string& path, const std::string& file)
+OutputFiles::commitIn(const std::string& base)
 {
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(file, error);
-  if (status.type() == fs::file_type::none)
-    throw CIDException(path + ": cannot be put in place: " + error.message());
-  if (fs::is_directory(status))
-    throw CIDException(path + ": is a folder, which is never replaced or removed");
-  changes_.push_back({file, ""});
-  if (fs::exists(status))
-    changes_.back().older = makeBeside(
-        path, file, "older", [&](const auto& name) { return makeLink(file, name); });
+  Commit commit(base, changes());
+  try {
+    commit.make();
+    outputs_.clear();
+    made_folders_.clear();
+    commit.finish();
+  }
+  catch (...) {
+    if (!commit.isOver())
+      for (const auto& folder : folders_)
+        folder->leaveToNextRun();
+    throw;
+  }
+}
+
+/** What commit() does: outputs take their places, then what is announced for removal
+ *  goes. */
+std::vector<Change>
+OutputFiles::changes()
+{
+  std::vector<Change> all;
+  const auto add = [&](const std::string& path,
+                       const std::string& file,
+                       const std::string& partial) {
+    const std::string folder = fs::path(file).parent_path().string();
+    all.push_back({path, file, partial, enter(path, folder).newName("older"), {}});
+  };
+  for (const Output& output : outputs_)
+    add(output.path, output.target, output.partial);
+  for (const Removal& removal : removals_)
+    if (!isOutput(removal.target))
+      add(removal.path, removal.file, "");
+  return all;
 }
 
 void
@@ -277,26 +262,23 @@ OutputFiles::isOutput(const std::string& target) const
   });
 }
 
-/** Undo all changes.
- *  \return what could not be undone, for the message */
-std::string
-OutputFiles::takeBack()
+/** Of a folder in which this run has outputs, that of the run; the first time, what
+ * dead runs left in it is seen to. */
+RunFolder&
+OutputFiles::enter(const std::string& path, const std::string& folder)
 {
-  std::string lost;
-  for (const Change& change : changes_) {
-    std::error_code error;
-    if (change.older.empty())
-      fs::remove(change.file, error);
-    else
-      fs::rename(change.older, change.file, error);
-    // Two names of one file: then nothing has changed, and rename() has nothing to do.
-    if (!error && !change.older.empty())
-      fs::remove(change.older, error);
-    if (error && !change.older.empty())
-      lost += "; the older " + change.file + " is now " + change.older;
+  for (const auto& known : folders_)
+    if (known->folder() == folder)
+      return *known;
+  try {
+    endDeadRuns(folder);
+    folders_.push_back(std::make_unique<RunFolder>(
+        folder, folders_.empty() ? nullptr : folders_.front().get()));
   }
-  changes_.clear();
-  return lost;
+  catch (const std::system_error& error) {
+    throw CIDException(path + ": cannot be written: " + error.code().message());
+  }
+  return *folders_.back();
 }
 
 OutputFiles::Output&

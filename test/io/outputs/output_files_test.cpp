@@ -159,6 +159,57 @@ TEST_F(OutputFilesTest, FollowLinks)
   EXPECT_EQ(readText(folder_.file("sub/real")), "new");
 }
 
+TEST_F(OutputFilesTest, FollowLinksToWhatIsNotThereYet)
+{
+  fs::create_directory(folder_.file("sub"));
+  fs::create_symlink("sub/middle", folder_.file("link"));
+  fs::create_symlink("real", folder_.file("sub/middle"));
+  OutputFiles outputs({});
+  outputs.announce(folder_.file("link"));
+  outputs.write(folder_.file("link"), write_new);
+  outputs.commit();
+  EXPECT_TRUE(fs::is_symlink(folder_.file("link")));
+  EXPECT_TRUE(fs::is_symlink(folder_.file("sub/middle")));
+  EXPECT_EQ(readText(folder_.file("sub/real")), "new");
+}
+
+TEST_F(OutputFilesTest, MayHaveTheLongestNamesThereAre)
+{
+  for (const std::size_t length : {1, 200, 249, 255}) {
+    const std::string path = folder_.file(std::string(length, 'a'));
+    for (int round = 0; round < 2; ++round) {
+      OutputFiles outputs({});
+      outputs.announce(path);
+      outputs.write(path, write_new);
+      outputs.commit();
+      EXPECT_EQ(readText(path), "new");
+    }
+    fs::remove(path);
+  }
+}
+
+TEST_F(OutputFilesTest, RefuseNamesThatLeadNowhere)
+{
+  fs::create_symlink("loop", folder_.file("loop"));
+  fs::create_symlink("nowhere/a", folder_.file("into nowhere"));
+  OutputFiles outputs({folder_.file("loop")});
+  for (const std::string& path : {folder_.file("loop"),
+                                  folder_.file("loop/a"),
+                                  folder_.file("into nowhere"),
+                                  folder_.file(std::string(256, 'a')),
+                                  folder_.file(std::string(5000, 'a'))}) {
+    EXPECT_THROW(outputs.announceFolder(path + "/b"), CIDException);
+    EXPECT_THROW(outputs.announceRemoval(path + "/b"), CIDException);
+    try {
+      outputs.announce(path);
+      FAIL() << path << " was accepted";
+    }
+    catch (const CIDException& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(path, 0), 0u) << error.what();
+    }
+  }
+}
+
 TEST_F(OutputFilesTest, DisappearAgainWhenOneCannotBePlaced)
 {
   writeText(folder_.file("older"), "old");
