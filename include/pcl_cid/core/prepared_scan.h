@@ -117,7 +117,7 @@ public:
    *  \throws CIDException when there is no point, when one is not finite, when indices
    *  or colors are not those of the points, when the start, a required point or every
    *  candidate is not one of them, when a setting is out of its range, or when
-   *  coordinates are too large to square; CIDCancelled
+   *  coordinates are too large, or the cloud too small, to square; CIDCancelled
    *  \note Cost: O(N log N); about 150 bytes a point (see DistanceField). */
   PreparedScan(RawScan scan,
                const PreparationSettings& settings,

@@ -26,16 +26,20 @@ constexpr float widening = 1.00001f;
 constexpr float norm_widening = 1.000002f;
 constexpr float norm_narrowing = 0.999998f;
 
+/** \brief What a distance loses where float cannot hold its square: each of three
+ *  squares is off by up to 2^-150, half the smallest number above 0, and so their root
+ * by up to 1.8 * 2^-75. Bounds of distances are made of a few such roots. */
+constexpr float of_lost_squares = 0x1p-70f;
+
 /** \brief How far a sample p + t (q - p), computed in float, can be from the true one,
  *  no coordinate of p and q being larger than \a largest: on each axis the difference
  *  is off by 1 epsilon of it, the product by 2, the sum by 1; that is less than 7
- * epsilon in three dimensions, and there is as much again for the distance that is then
- * taken.
- */
+ *  epsilon in three dimensions, and there is as much again for the distance that is
+ * then taken. */
 constexpr float
 ofSample(float largest)
 {
-  return 16.0f * epsilon * largest;
+  return 16.0f * epsilon * largest + of_lost_squares;
 }
 
 /** \brief The same for two samples that are compared with each other. */

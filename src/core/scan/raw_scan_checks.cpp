@@ -11,11 +11,19 @@
 
 #include "base/requirements.h"
 
+#include <Eigen/Geometry>
+
 namespace pcl_cid {
 namespace {
 
 /** Beyond this, squared distances come too close to the largest float. */
 constexpr float largest_coordinate = 1e15f;
+
+/** Below this, the squares of distances that are as small, beside it, as float can tell
+ *  come too close to the smallest float: from here on results are the same in every
+ * unit.
+ */
+constexpr float least_extent = 1e-10f;
 
 void
 requireFiniteAndModerate(const Points& points)
@@ -35,6 +43,25 @@ requireFiniteAndModerate(const Points& points)
                                   " from the middle of the cloud; it must be within ",
                                   largest_coordinate));
   }
+}
+
+/** All at one place is fine; what is no more than tiny is most likely misread. */
+void
+requireNotTiny(const RawScan& scan)
+{
+  Eigen::AlignedBox3f box;
+  for (const Points* points : {&scan.points.points, &scan.surface})
+    for (const Eigen::Vector3f& p : *points)
+      box.extend(p);
+  const float extent = box.sizes().maxCoeff();
+  if (extent > 0.0f && extent < least_extent)
+    throw CIDException(
+        sentence("the cloud is ",
+                 extent,
+                 " from end to end; it must be at least ",
+                 least_extent,
+                 " (float cannot square the distances in a smaller one), "
+                 "or 0; are the coordinates read as what they are?"));
 }
 
 /** Indices of the cloud: results are written to these places. */
@@ -94,6 +121,7 @@ requireUsable(const RawScan& scan, const PreparationSettings& settings)
     requireColors(scan.colors, scan.points.size());
   requireFiniteAndModerate(scan.points.points);
   requireFiniteAndModerate(scan.surface);
+  requireNotTiny(scan);
 }
 
 } // namespace pcl_cid
