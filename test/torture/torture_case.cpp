@@ -11,9 +11,12 @@
 
 #include "base/random.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include <pcl/search/kdtree.h>
 
 namespace pcl_cid::test {
 namespace {
@@ -280,7 +283,8 @@ TortureCase::TortureCase(std::uint64_t case_number) : number(case_number)
   drawPose(*cloud, place, dice);
   if (dice.oneIn(4)) {
     const NamedShape& other = dice.oneIn(2) ? shape : shapes[dice.below(shapes.size())];
-    surface = drawCloud(other, place, drawCount(dice), dice);
+    const Place there = dice.oneIn(4) ? drawPlace(dice) : place;
+    surface = drawCloud(other, there, drawCount(dice), dice);
     if (dice.oneIn(4))
       spoil(*surface, dice);
   }
@@ -296,6 +300,7 @@ TortureCase::TortureCase(std::uint64_t case_number) : number(case_number)
   group_samples = dice.between(1, 40);
   min_points = dice.oneIn(3) ? dice.between(1, 9) : 1;
   hull = drawHull(size, dice);
+  own_search = dice.oneIn(6);
 }
 
 CIDConvexAbstraction<TorturePoint>
@@ -317,6 +322,8 @@ TortureCase::abstraction(unsigned int threads) const
   abstraction.setIsolatedNeighbors(preparation.isolated_neighbors);
   abstraction.setColorWeight(preparation.color);
   abstraction.setFillBlindSpot(preparation.blind_spot);
+  if (own_search)
+    abstraction.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
   abstraction.setMemoryBudget(preparation.memory_budget);
   abstraction.setNumberOfSeeds(seeds);
   abstraction.setCoverage(coverage);
@@ -376,7 +383,8 @@ operator<<(std::ostream& out, const TortureCase& one)
       << ", density " << static_cast<int>(preparation.density) << " to the power "
       << preparation.density_power << ", isolated " << preparation.isolated_neighbors
       << ", color " << preparation.color << ", blind spot " << preparation.blind_spot
-      << ", memory " << preparation.memory_budget << "\n  cut "
+      << ", memory " << preparation.memory_budget
+      << (one.own_search ? ", a search of its own" : "") << "\n  cut "
       << static_cast<int>(one.cut.rule) << " count " << one.cut.count << " height "
       << one.cut.height << (one.stop_at_cut ? ", stops there" : "")
       << ", group samples " << one.group_samples << ", min points " << one.min_points

@@ -40,6 +40,7 @@ struct TortureCase {
   int group_samples;
   int min_points;
   ConvexPartOptions hull;
+  bool own_search; ///< a KdTree for the surface
 
   explicit TortureCase(std::uint64_t number);
 

@@ -18,6 +18,7 @@
 #include <pcl_cid/core/cid_from.h>
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/hull_guarantees.h>
+#include <pcl_cid/core/hull_tightness.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
@@ -257,6 +258,39 @@ checkParts(const TortureCase& one, const Run& run)
          "a point in no part");
 }
 
+bool
+isShare(double value)
+{
+  return value >= 0.0 && value <= 1.0 + 1e-9;
+}
+
+void
+checkTightness(const TortureCase& one, const Run& run)
+{
+  TightnessOptions options;
+  options.free_distance = std::max(1e-3 * one.hull.min_thickness, 1e-15);
+  options.hull_samples = 40;
+  options.box_samples = 200;
+  std::array<Tightness, 2> measured;
+  for (const unsigned int threads : {1u, 3u}) {
+    options.execution.threads = threads;
+    measured[threads / 2] =
+        TightnessMeter(run.grouping().sharedScan(), options).measure(run.parts);
+  }
+  const Tightness& tightness = measured[0];
+  expect(tightness.hulls.size() == run.parts.size(), "the number of tightnesses");
+  for (const HullTightness& hull : tightness.hulls) {
+    expect(std::isfinite(hull.max_concavity) && hull.mean_concavity >= 0.0 &&
+               hull.mean_concavity <= hull.max_concavity * (1.0 + 1e-9),
+           "a concavity");
+    expect(isShare(hull.free_share), "the free share of a hull");
+  }
+  expect(isShare(tightness.all.free_share), "the free share of all hulls");
+  expect(tightness.volume == measured[1].volume &&
+             tightness.all.mean_concavity == measured[1].all.mean_concavity,
+         "another tightness on 3 threads");
+}
+
 /** Seeds come and go; the state is always that of the definitions. */
 void
 checkHistory(const TortureCase& one, Grouping grouping)
@@ -347,6 +381,7 @@ check(const TortureCase& one, TortureVerdict& verdict)
   checkGroups(one, grouping);
   checkMerges(one, grouping, run.abstraction.getMergeTree());
   checkParts(one, run);
+  checkTightness(one, run);
   checkHistory(one, grouping);
   checkLabels(one, grouping);
 }
