@@ -225,6 +225,7 @@ texts(const EvaluationFigures& figures, EvaluationProtocol protocol)
   std::vector<std::string> list;
   for (const NamedFigure& figure : figuresOf(protocol)) {
     std::ostringstream text;
+    text.exceptions(std::ios::badbit); // want of memory is not lost
     text << std::fixed << std::setprecision(3) << figures.*figure.value;
     list.push_back(std::isnan(figures.*figure.value) ? "-" : text.str());
   }
@@ -261,7 +262,7 @@ printTable(std::ostream& stream, const EvaluationReport& report)
 std::string
 toJson(const EvaluationReport& report)
 {
-  Json json;
+  Json json = Json::object();
   json["tool"] = "pcl_cid_evaluate";
   json["version"] = PCL_CID_VERSION;
   json["prediction"] = report.prediction;
@@ -282,6 +283,7 @@ std::string
 toCsv(const EvaluationReport& report)
 {
   std::ostringstream stream;
+  stream.exceptions(std::ios::badbit); // want of memory is not lost
   stream.precision(std::numeric_limits<double>::max_digits10);
   {
     CsvRow headline(stream);

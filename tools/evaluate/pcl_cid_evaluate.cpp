@@ -42,10 +42,9 @@ scoreAll(const std::vector<ScanPair>& pairs, Scoring& scoring)
     catch (const std::exception& error) { // want of memory, too, stops one scan only
       if (pairs.size() == 1)
         throw;
-      const std::string message = messageOf(error);
+      const char* const message = messageOf(error);
       std::fflush(stdout);
-      std::fprintf(
-          stderr, "%s: %s: %s\n", evaluate_tool, pair.name.c_str(), message.c_str());
+      std::fprintf(stderr, "%s: %s: %s\n", evaluate_tool, pair.name.c_str(), message);
       scoring.addFailure(pair, message);
     }
   }
@@ -125,7 +124,7 @@ evaluateAll(const EvaluateSettings& settings)
   Console console(settings.quiet);
   const std::vector<ScanPair> pairs =
       pairScans(settings.prediction, settings.truth, settings.partial);
-  OutputFiles outputs(inputsOf(settings, pairs));
+  ToolOutputs outputs(inputsOf(settings, pairs));
   announceOutputs(settings, outputs);
   Scoring scoring(settings, console);
   scoreAll(pairs, scoring);

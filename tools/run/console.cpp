@@ -11,14 +11,41 @@
 
 #include "interruption.h"
 
+#include <pcl_cid/exceptions.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 
 #include <pcl/console/print.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace pcl_cid::tools {
+
+void
+occupyClosedStreams()
+{
+  // Opened the wrong way round, they fail as closed ones do.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0)
+      open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+void
+requirePrinted()
+{
+  errno = 0;
+  std::cout.flush();
+  const bool is_flushed = std::fflush(stdout) == 0;
+  if (is_flushed && std::cout && std::ferror(stdout) == 0)
+    return;
+  throw CIDException("the standard output could not be written in full" +
+                     (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+}
 
 Console::Console(bool quiet)
 : quiet_(quiet), has_terminal_(!quiet && isatty(STDERR_FILENO) == 1)

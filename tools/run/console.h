@@ -16,6 +16,16 @@
 
 namespace pcl_cid::tools {
 
+/** \brief Let no output file take the place of a standard stream that is closed: what
+ * is printed would end up in it. */
+void
+occupyClosedStreams();
+
+/** \brief Make sure that the standard output has reached its reader.
+ *  \throws CIDException when some of it was lost */
+void
+requirePrinted();
+
 /** \brief Results go to the standard output, the progress bar to a terminal. */
 class Console {
 public:

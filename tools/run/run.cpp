@@ -14,30 +14,74 @@
 
 #include <pcl_cid/exceptions.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <new>
 #include <ostream>
+
+#include <unistd.h>
 
 namespace pcl_cid::tools {
 namespace {
 
+/** Of the tool, as long as it has them. */
+OutputFiles* outputs_of_tool = nullptr;
+
+/** What follows the want of memory must not ask for any: hence no strings here. */
 int
-fail(const std::string& tool, const std::string& message)
+fail(const char* tool, const char* message)
 {
   std::fflush(stdout);
-  std::fprintf(stderr, "%s: %s\n", tool.c_str(), message.c_str());
+  std::fprintf(stderr, "%s: %s\n", tool, message);
   return EXIT_FAILURE;
 }
 
 int
-failInterrupted(const std::string& tool)
+failInterrupted(const char* tool)
 {
   fail(tool, "interrupted; nothing was written");
   return 128 + caughtSignal();
 }
 
+int
+failUsage(const char* tool, const UsageError& error)
+{
+  std::fprintf(stderr, "%s: %s; see %s --help\n", tool, error.what(), tool);
+  return 2;
+}
+
+/** Destructors and other people's code cannot pass the want of memory on. Everything
+ *  else that ends here is a mistake in the program. */
+[[noreturn]] void
+endAtOnce()
+{
+  if (outputs_of_tool != nullptr)
+    outputs_of_tool->discard();
+  try {
+    if (std::current_exception())
+      throw;
+  }
+  catch (const std::bad_alloc&) {
+  }
+  catch (...) {
+    std::abort();
+  }
+  _exit(fail(program_invocation_short_name, "there is not enough memory to go on"));
+}
+
 } // namespace
+
+ToolOutputs::ToolOutputs(const std::vector<std::string>& inputs) : OutputFiles(inputs)
+{
+  outputs_of_tool = this;
+}
+
+ToolOutputs::~ToolOutputs()
+{
+  outputs_of_tool = nullptr;
+}
 
 Run::Run(const std::string& tool, bool quiet, const std::vector<std::string>& inputs)
 : console(quiet), outputs(inputs)
@@ -57,6 +101,15 @@ Run::end(const std::string& result, const std::string& name)
   report.steps.push_back({name, console.end(result)});
 }
 
+std::function<void(const std::string&)>
+Run::remark()
+{
+  return [this](const std::string& sentence) {
+    console.remark(sentence);
+    report.remarks.push_back(sentence);
+  };
+}
+
 void
 Run::finish(const std::string& report_path)
 {
@@ -65,7 +118,7 @@ Run::finish(const std::string& report_path)
   outputs.commit();
 }
 
-std::string
+const char*
 messageOf(const std::exception& error)
 {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
@@ -74,16 +127,18 @@ messageOf(const std::exception& error)
 }
 
 int
-runTool(const std::string& tool, const std::function<void()>& work)
+runTool(const char* tool, const std::function<void()>& work)
 {
+  std::set_terminate(endAtOnce);
+  occupyClosedStreams();
   catchSignals();
   try {
     work();
+    requirePrinted();
     return EXIT_SUCCESS;
   }
   catch (const UsageError& error) {
-    fail(tool, std::string(error.what()) + "; see " + tool + " --help");
-    return 2;
+    return failUsage(tool, error);
   }
   catch (const Interrupted&) {
     return failInterrupted(tool);

@@ -21,6 +21,14 @@
 
 namespace pcl_cid::tools {
 
+/** \brief The outputs of a tool, which has them once. They are discarded also when the
+ *  program must end at once, as when a destructor lacks memory. */
+class ToolOutputs : public OutputFiles {
+public:
+  explicit ToolOutputs(const std::vector<std::string>& inputs);
+  ~ToolOutputs();
+};
+
 /** \brief What the steps of a run share. */
 struct Run {
   /** \param[in] tool its name, for the report
@@ -38,6 +46,11 @@ struct Run {
   void
   end(const std::string& result, const std::string& name);
 
+  /** \brief What takes a remark on the input to the user and the report; to be used as
+   *  long as this lives. */
+  std::function<void(const std::string&)>
+  remark();
+
   /** \brief The end of the run: write the report, unless its path is empty, and put all
    *  outputs in place. */
   void
@@ -45,18 +58,19 @@ struct Run {
 
   Console console;
   Report report;
-  OutputFiles outputs;
+  ToolOutputs outputs;
 };
 
-/** \brief What to tell the user about an error, and what to do about it. */
-std::string
+/** \brief What to tell the user about an error, and what to do about it; valid as long
+ *  as the error. */
+const char*
 messageOf(const std::exception& error);
 
 /** \brief Run a tool: exceptions become messages and exit codes.
  *  \param[in] work returns when all is done
- *  \return 0; 1 when the work failed; 2 when the command line is wrong; 128 + the
- *  signal when one ended the run */
+ *  \return 0; 1 when the work failed or what it printed was lost; 2 when the command
+ * line is wrong; 128 + the signal when one ended the run */
 int
-runTool(const std::string& tool, const std::function<void()>& work);
+runTool(const char* tool, const std::function<void()>& work);
 
 } // namespace pcl_cid::tools

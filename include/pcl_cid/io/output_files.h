@@ -89,6 +89,11 @@ public:
   void
   commit();
 
+  /** \brief Remove what was not committed, as the destructor does. It needs no memory:
+   *  the want of it may be why. */
+  void
+  discard() noexcept;
+
 private:
   struct Output {
     std::string path;    ///< as announced
@@ -112,10 +117,10 @@ private:
   enter(const std::string& path, const std::string& folder);
 
   void
-  discard() noexcept;
+  commitIn(const std::string& base);
 
   void
-  commitIn(const std::string& base);
+  leaveToNextRun(bool is_left) noexcept;
 
   std::vector<Change>
   changes();

@@ -63,9 +63,10 @@ struct DistanceGrid::Boxes {
   load(const BlockTree& tree)
   {
     if (sides.rows() < size()) {
-      sides.resize(2 * size(), 6);
-      squared_gap.resize(2 * size(), 6);
-      squared_distance.resize(2 * size());
+      // Where memory lacks, Eigen's resize() lets go of what it had, and later again.
+      sides = decltype(sides)(2 * size(), 6);
+      squared_gap = decltype(squared_gap)(2 * size(), 6);
+      squared_distance = Eigen::ArrayXf(2 * size());
     }
     for (Eigen::Index k = 0; k < size(); ++k) {
       const PointBox& box =

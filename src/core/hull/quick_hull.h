@@ -27,6 +27,7 @@ namespace pcl_cid {
  *  \param[in] points at least 1
  *  \return no triangles when the points are flat within 1e-6 of their extents, or when
  *  qhull fails
+ *  \throws std::bad_alloc when qhull lacks memory
  *  \note Prints nothing: qhull, which explains itself on stderr, never sees flat
  *  points. */
 TriangleMesh

@@ -11,8 +11,11 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <memory>
+#include <new>
 #include <system_error>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -111,11 +114,13 @@ isThere(const std::string& name)
 std::vector<std::string>
 filesIn(const std::string& folder)
 {
+  // std::filesystem's iterators terminate the process where memory lacks.
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), closedir);
+  if (!entries && errno == ENOMEM)
+    throw std::bad_alloc();
   std::vector<std::string> files;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    files.push_back(entry->path().string());
+  while (const dirent* const entry = entries ? readdir(entries.get()) : nullptr)
+    files.push_back((fs::path(folder) / entry->d_name).string());
   return files;
 }
 

@@ -101,7 +101,6 @@ OutputFiles::~OutputFiles()
   discard();
 }
 
-/** Remove what was not committed. It needs no memory: the want of it may be why. */
 void
 OutputFiles::discard() noexcept
 {
@@ -203,7 +202,7 @@ OutputFiles::commit()
     discard();
     throw;
   }
-  discard(); // nothing but the locks is left
+  discard(); // the locks alone
 }
 
 /** \param[in] base in the first folder: there the record will be */
@@ -211,6 +210,7 @@ void
 OutputFiles::commitIn(const std::string& base)
 {
   Commit commit(base, changes());
+  leaveToNextRun(true); // should the process end amid the commit
   try {
     commit.make();
     outputs_.clear();
@@ -218,11 +218,17 @@ OutputFiles::commitIn(const std::string& base)
     commit.finish();
   }
   catch (...) {
-    if (!commit.isOver())
-      for (const auto& folder : folders_)
-        folder->leaveToNextRun();
+    leaveToNextRun(!commit.isOver());
     throw;
   }
+  leaveToNextRun(false);
+}
+
+void
+OutputFiles::leaveToNextRun(bool is_left) noexcept
+{
+  for (const auto& folder : folders_)
+    folder->leaveToNextRun(is_left);
 }
 
 /** What commit() does: outputs take their places, then what is announced for removal

@@ -56,11 +56,11 @@ public:
   std::string
   newName(const std::string& purpose);
 
-  /** \brief Let the next run in this folder see to the record. */
+  /** \brief Whether the next run in this folder has a record to see to. */
   void
-  leaveToNextRun() noexcept
+  leaveToNextRun(bool is_left) noexcept
   {
-    is_left_ = true;
+    is_left_ = is_left;
   }
 
 private:

@@ -206,7 +206,7 @@ describeProposal(const SeedProposal& proposal,
 std::string
 toJson(const Report& report)
 {
-  Json json;
+  Json json = Json::object();
   json["tool"] = report.tool;
   json["version"] = PCL_CID_VERSION;
   json["input"] = report.input;
@@ -243,7 +243,7 @@ toJson(const MergeTree& tree)
                      {"second", step.second},
                      {"height", step.height},
                      {"size", step.size}});
-  Json json;
+  Json json = Json::object();
   json["group_sizes"] = tree.groupSizes();
   json["steps"] = std::move(steps);
   return print(json);
