@@ -9,6 +9,8 @@
 
 #include "hull_verification.h"
 
+#include "file_points.h"
+
 #include <pcl_cid/core/hull_guarantees.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/mesh_export.h>
@@ -82,17 +84,16 @@ readHulls(const std::string& path,
   return stored;
 }
 
-/** The points of a part in the frame of a mesh. */
+/** The points of a part, as they stand in the file, in the frame of a mesh. */
 std::vector<Eigen::Vector3d>
-pointsOf(const ConvexPart& part, const CloudPoints& points, const Frame& mesh_frame)
+pointsOf(const ConvexPart& part,
+         const FileCoordinates& coordinates,
+         const Frame& mesh_frame)
 {
-  const Frame from_mesh{mesh_frame.toLocal(points.frame.origin)};
   std::vector<Eigen::Vector3d> inside;
   inside.reserve(part.indices.size());
   for (const pcl::index_t index : part.indices)
-    inside.push_back(from_mesh.toFile((*points.points)[static_cast<std::size_t>(index)]
-                                          .getVector3fMap()
-                                          .cast<double>()));
+    inside.push_back(mesh_frame.toLocal(coordinates[static_cast<std::size_t>(index)]));
   return inside;
 }
 
@@ -103,11 +104,14 @@ verifyHull(std::size_t number,
            const Frame& mesh_frame,
            const Verification& verification)
 {
+  const ConvexPart& part = verification.parts[number];
+  const double rounding =
+      roundingOf(part.indices, verification.points, verification.coordinates);
   const auto broken = findBrokenGuarantee(
       hull,
-      pointsOf(verification.parts[number], verification.points, mesh_frame),
+      pointsOf(part, verification.coordinates, mesh_frame),
       verification.options,
-      is_float ? floatRounding(hull) : 0.0);
+      (is_float ? floatRounding(hull) : 0.0) + std::min(rounding, unnoticed_rounding));
   if (broken)
     throw CIDException("the hull of " + partName(number) +
                        " breaks a guarantee: " + *broken);

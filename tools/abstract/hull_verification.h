@@ -22,6 +22,7 @@ namespace pcl_cid::tools {
 struct Verification {
   const std::vector<ConvexPart>& parts; ///< as they were written
   const CloudPoints& points;
+  const FileCoordinates coordinates; ///< the same points, as they stand in the file
   const ConvexPartOptions& options;
 };
 

@@ -16,6 +16,7 @@
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_formats.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace pcl_cid::tools {
@@ -32,24 +33,56 @@ extensionsOfDouble()
   return extensions;
 }
 
+constexpr double share_for_rounding = 0.25; // of a thickness
+
+[[noreturn]] void
+failForFloat(const std::string& path, const MeshFormat& format, const std::string& hull)
+{
+  throw CIDException(path + ": " + format.name +
+                     " rounds coordinates to float, in which " + hull +
+                     " would lose its shape so far from the origin; choose " +
+                     alternatives(extensionsOfDouble()) +
+                     ", or --parts-dir with --parts-format stl beside them");
+}
+
 /** STL holds float and has no pose: far from the origin, thin hulls fall flat in it. */
 void
 requireThickInFloat(const std::string& path,
                     const MeshFormat& format,
                     const std::vector<ConvexPart>& parts)
 {
-  constexpr double share = 0.25; // of the thickness that rounding may take
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (floatRounding(parts[i].hull) > share * parts[i].thickness)
-      throw CIDException(path + ": " + format.name +
-                         " rounds coordinates to float, in which the hull of " +
-                         partName(i) +
-                         " would lose its shape so far from the origin; choose " +
-                         alternatives(extensionsOfDouble()) +
-                         ", or --parts-dir with --parts-format stl beside them");
+    if (floatRounding(parts[i].hull) > share_for_rounding * parts[i].thickness)
+      failForFloat(path, format, "the hull of " + partName(i));
+}
+
+/** The median of the largest coordinates of the points. */
+double
+typicalSize(const LoadedScan& scan)
+{
+  std::vector<double> sizes;
+  for (const pcl::PointXYZ& point : *scan.points.points)
+    if (point.getVector3fMap().allFinite())
+      sizes.push_back(scan.points.frame.toFile(point.getVector3fMap().cast<double>())
+                          .cwiseAbs()
+                          .maxCoeff());
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle;
 }
 
 } // namespace
+
+void
+requireRoomForFloat(const std::string& path,
+                    const LoadedScan& scan,
+                    double min_thickness)
+{
+  const MeshFormat& format = meshFormatOf(path);
+  if (format.is_float &&
+      floatRounding(typicalSize(scan)) > share_for_rounding * min_thickness)
+    failForFloat(path, format, "a hull " + shortNumber(min_thickness) + " m thick");
+}
 
 void
 saveMesh(const std::string& path,

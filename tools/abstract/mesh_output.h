@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "run/loaded_scan.h"
+
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/io/output_files.h>
 
@@ -16,6 +18,14 @@
 #include <vector>
 
 namespace pcl_cid::tools {
+
+/** \brief Refuse a format that rounds to float for a scan so far from the origin that
+ *  hulls of the least thickness would lose their shape in it.
+ *  \throws CIDException */
+void
+requireRoomForFloat(const std::string& path,
+                    const LoadedScan& scan,
+                    double min_thickness);
 
 /** \brief Write a mesh, and the file of colors beside it where its format has one.
  *  \param[in] path was announced, with its file of colors (see materialsBeside())

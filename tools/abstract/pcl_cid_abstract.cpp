@@ -8,6 +8,7 @@
  */
 
 #include "abstract_settings.h"
+#include "file_points.h"
 #include "hull_verification.h"
 #include "mesh_output.h"
 #include "run/loaded_scan.h"
@@ -75,7 +76,10 @@ measureTightness(const AbstractSettings& settings,
 
 /** The parts that the merge tree is cut into, and their hulls. */
 void
-decompose(Abstraction& abstraction, Run& run, AbstractedScan& result)
+decompose(Abstraction& abstraction,
+          const LoadedScan& scan,
+          Run& run,
+          AbstractedScan& result)
 {
   run.begin("Decomposing");
   std::vector<pcl::PointIndices> parts;
@@ -86,8 +90,9 @@ decompose(Abstraction& abstraction, Run& run, AbstractedScan& result)
           "decompose");
   run.begin("Computing hulls");
   abstraction.reconstruct(result.tree.cut(abstraction.getMergeCut()), result.parts);
-  run.end(std::to_string(result.parts.size()) + " hulls", "hulls");
   result.hull_options = abstraction.getHullOptions();
+  coverFilePoints(scan, result.hull_options, result.parts);
+  run.end(std::to_string(result.parts.size()) + " hulls", "hulls");
   result.dropped_points = abstraction.getNumberOfDroppedPoints();
 }
 
@@ -99,7 +104,7 @@ abstract(const AbstractSettings& settings, const LoadedScan& scan, Run& run)
   configureMerging(settings, abstraction);
   abstraction.setInputCloud(scan.points.points);
   AbstractedScan result;
-  decompose(abstraction, run, result);
+  decompose(abstraction, scan, run, result);
   run.report.parameters = parametersOf(settings, abstraction);
   describeDensity(abstraction.getDensityDecision(), run);
   describeBlindSpot(abstraction.getBlindSpot(), scan.points.frame, run);
@@ -148,6 +153,16 @@ describe(const AbstractSettings& settings, const AbstractedScan& result, Run& ru
                       shortNumber(run.report.tightness->all.max_concavity) +
                           " metres, mean " +
                           shortNumber(run.report.tightness->all.mean_concavity));
+}
+
+void
+requireOutputsCanHold(const AbstractSettings& settings,
+                      const LoadedScan& scan,
+                      Run& run)
+{
+  requireRoomForFloat(settings.output, scan, settings.hulls.min_thickness);
+  if (!settings.labels.empty())
+    checkWritable(settings.labels, scan, run);
 }
 
 void
@@ -205,11 +220,16 @@ runAbstract(const AbstractSettings& settings)
   Run run(abstract_tool, settings.quiet, inputFiles(settings));
   announceOutputs(settings, run.outputs);
   LoadedScan scan = loadScan(settings, run);
+  requireOutputsCanHold(settings, scan, run);
   const AbstractedScan result = abstract(settings, scan, run);
   describe(settings, result, run);
   const SceneDescription scene = save(settings, result, scan.cloud, run);
   if (settings.verify)
-    verify(settings, {result.parts, scan.points, result.hull_options}, scene, run);
+    verify(
+        settings,
+        {result.parts, scan.points, FileCoordinates(scan.cloud), result.hull_options},
+        scene,
+        run);
   run.finish(settings.report);
 }
 

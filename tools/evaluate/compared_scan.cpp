@@ -30,10 +30,13 @@ constexpr double most_rounding = 1e-4;
 
 struct ReadScan {
   LabelledCloud cloud;
-  CloudPoints points;
+  CloudPoints points; ///< zeros, too: files are compared as they are
+  std::function<void(const std::string&)> remark;
 
   ReadScan(const std::string& path, const ScanOptions& options)
-  : cloud(readScan(path, options)), points(pointsOf(cloud))
+  : cloud(readScan(path, options))
+  , points(pointsOf(cloud, {true, options.remark}))
+  , remark(options.remark)
   {
   }
 
@@ -46,7 +49,7 @@ struct ReadScan {
   std::vector<std::uint32_t>
   numbers(const std::string& field) const
   {
-    return labelsOf(cloud, field, points);
+    return labelsOf(cloud, field, points, remark);
   }
 };
 

@@ -55,6 +55,10 @@ declareRunOptions(Settings& settings, CommandLine& line)
 {
   line.group(setting::threads.group);
   declareClassTable(settings.class_table, line);
+  line.flag("keep-zeros",
+            settings.keep_zeros,
+            "10 points and more exactly at (0, 0, 0), or at the sensor, are points; "
+            "without it they count as what did not return, and get label 0");
   line.choice(label_type_setting, settings.label_type);
   line.setting(setting::threads, settings.threads);
   line.text("report",

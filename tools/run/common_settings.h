@@ -52,6 +52,7 @@ struct Settings {
   unsigned int threads = setting::threads.initial;
   LabelType label_type = label_type_setting.initial;
   std::string report;
+  bool keep_zeros = false;
   bool quiet = false;
 
   /** \brief K: without `--seeds`, what `--coverage` needs, else the default. */

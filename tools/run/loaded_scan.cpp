@@ -20,19 +20,6 @@
 namespace pcl_cid::tools {
 namespace {
 
-/** Read a scan; what was repaired, left out or assumed is said. */
-LabelledCloud
-readAndRemark(const Settings& settings, Run& run)
-{
-  ScanOptions options;
-  options.class_table = settings.class_table;
-  options.remark = [&](const std::string& sentence) {
-    run.console.remark(sentence);
-    run.report.remarks.push_back(sentence);
-  };
-  return readScan(settings.input, options);
-}
-
 } // namespace
 
 std::vector<std::string>
@@ -46,8 +33,8 @@ loadScan(const Settings& settings, Run& run)
 {
   run.begin("Loading " + settings.input);
   LoadedScan scan;
-  scan.cloud = readAndRemark(settings, run);
-  scan.points = pointsOf(scan.cloud);
+  scan.cloud = readScan(settings.input, {settings.class_table, run.remark()});
+  scan.points = pointsOf(scan.cloud, {settings.keep_zeros, run.remark()});
   const std::string size = std::to_string(scan.cloud.size());
   if (scan.points.finite == 0)
     throw CIDException(settings.input + ": none of its " + size +
@@ -55,6 +42,15 @@ loadScan(const Settings& settings, Run& run)
   run.end(size + " points, " + std::to_string(scan.points.finite) + " finite", "load");
   run.report.input = settings.input;
   return scan;
+}
+
+void
+checkWritable(const std::string& path, const LoadedScan& scan, Run& run)
+{
+  const auto remark = run.remark();
+  requireWritable(scan.cloud, path, [&](const std::string& sentence) {
+    remark(path + ": " + sentence);
+  });
 }
 
 void

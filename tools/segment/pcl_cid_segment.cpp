@@ -27,14 +27,16 @@ using namespace pcl_cid::tools;
 
 /** What the fields of the scan say, as far as it is asked for. */
 SegmentedScan
-withTruth(const SegmentSettings& settings, const LoadedScan& scan)
+withTruth(const SegmentSettings& settings, const LoadedScan& scan, Run& run)
 {
   SegmentedScan result;
   result.name = scanName(settings.input);
   if (!settings.labels_from.empty())
-    result.true_labels = labelsOf(scan.cloud, settings.labels_from, scan.points);
+    result.true_labels =
+        labelsOf(scan.cloud, settings.labels_from, scan.points, run.remark());
   if (!settings.scannet.submission.empty())
-    result.true_classes = labelsOf(scan.cloud, "semantic", scan.points);
+    result.true_classes = labelsOf(scan.cloud, "semantic", scan.points, run.remark());
+  requireLabelsFit(result.true_labels, settings.label_type);
   return result;
 }
 
@@ -66,6 +68,10 @@ propagateLabels(const SegmentSettings& settings,
   propagation.setInputCloud(scan.points.points);
   if (!settings.labels.empty()) {
     const SeedTable table = readSeedTable(settings.labels, scan.points);
+    requireLabelsFit(table.labels, settings.label_type);
+    for (const auto& [label, name] : table.names)
+      run.remark()(settings.labels + ": class '" + name + "' is label " +
+                   std::to_string(label));
     propagation.setSeeds(table.seeds, table.labels);
   }
   if (!truth.empty())
@@ -134,7 +140,8 @@ segment(const SegmentSettings& settings)
   Run run(segment_tool, settings.quiet, inputsOf(settings));
   announceOutputs(settings, run.outputs);
   LoadedScan scan = loadScan(settings, run);
-  SegmentedScan result = withTruth(settings, scan);
+  SegmentedScan result = withTruth(settings, scan, run);
+  checkWritable(settings.output, scan, run);
   propagateLabels(settings, scan, run, result);
   describe(settings, scan, result, run);
   save(settings, result, scan, run);

@@ -25,6 +25,10 @@ namespace pcl_cid {
 PCL_CID_EXPORT double
 floatRounding(const TriangleMesh& mesh);
 
+/** \brief The same for a coordinate of this size. */
+PCL_CID_EXPORT double
+floatRounding(double size);
+
 /** \brief The first guarantee of a hull that does not hold.
  *
  *  1. A closed surface of triangles like a sphere's (V - E + F = 2): each edge occurs

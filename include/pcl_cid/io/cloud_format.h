@@ -64,9 +64,16 @@ struct CloudFormat {
    *  \throws CIDException that names the file and says what is wrong with it */
   std::function<void(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)>
       read;
+  /** Refuse a cloud that the format cannot hold; empty for one that holds all. Called
+   *  before the work, and before \a write.
+   *  \param[in] remark called with one sentence for each thing that is written in
+   *  another way than it is in the cloud
+   *  \throws CIDException for a cloud that cannot be written */
+  std::function<void(const LabelledCloud& cloud,
+                     const std::function<void(const std::string&)>& remark)>
+      check;
   /** Write a file; empty for a format that is only read.
-   *  \param[in] encoding one of those above
-   *  \throws CIDException for a cloud that the format cannot hold */
+   *  \param[in] encoding one of those above */
   std::function<void(
       std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)>
       write;

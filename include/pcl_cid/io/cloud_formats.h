@@ -14,6 +14,7 @@
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -28,11 +29,14 @@ namespace pcl_cid {
  *  in both byte orders. Fields get the names that PCL gives them: red, green and blue
  *  of a PLY become `rgb` (`rgba` with alpha), nx, ny and nz become `normal_x`,
  *  `normal_y` and `normal_z`. The pose and the width and height of a PLY are those of
- *  its `camera` element, where PCL writes them. Faces of a PLY are passed over, and so
- *  is padding (fields named `_`) of a PCD.
- *  \throws CIDException when the file cannot be opened, is empty, truncated, damaged or
- *  of no format in the table, holds no point, has two fields of one name, or has no
- *  single x, y and z of type float or double */
+ *  its `camera` element, where PCL writes them; a list that is equally long for all
+ *  vertices is a field with several values. Faces of a PLY are passed over, and so is
+ *  padding (fields named `_`). What else is passed over, `remarks` says: fields with
+ *  COUNT 0, lists whose length varies, zeros up to 4096 bytes after the points of a
+ * PCD. Lines may end in CR, LF or both; a byte order mark may come first. \throws
+ * CIDException when the file cannot be opened, is empty, truncated, damaged or of no
+ * format in the table, holds no point or more than its header says, has two fields of
+ * one name, or has no single x, y and z */
 PCL_CID_IO_EXPORT LabelledCloud
 readCloud(const std::string& path);
 
@@ -47,15 +51,27 @@ readCloud(const std::string& path);
 PCL_CID_IO_EXPORT CloudLayout
 layoutFor(const std::string& path, const CloudLayout& source);
 
+/** \brief Refuse a cloud that cannot be written to a file of this name: to be called
+ *  before any work that its output would waste.
+ *  \param[in] remark called with one sentence for each thing that the file will hold in
+ *  another way than the cloud; may be empty
+ *  \throws CIDException when no format that can be written has this extension, when a
+ *  name of a field is empty, "_", holds a blank or is there twice, and for 8-byte
+ *  integers that double does not hold exactly in PLY, which has no type for them */
+PCL_CID_IO_EXPORT void
+requireWritable(const LabelledCloud& cloud,
+                const std::string& path,
+                const std::function<void(const std::string&)>& remark = {});
+
 /** \brief Write a cloud. Look at the state of the stream afterwards to see whether it
  *  worked, or write through OutputFiles.
  *
  *  PCD keeps every bit of every field. In ascii, `rgb` of type F is written as type U,
  *  as PCL does. PLY has the names that readCloud() reads, one property for each value
  *  of a field with several, 8 bits for each color (so `rgb` loses its unused fourth
- *  byte), and the pose as axes.
- *  \throws CIDException when the layout is none that can be written, and for 8-byte
- *  integers in PLY, which has no type for them */
+ *  byte), double for 8-byte integers, and the pose as axes.
+ *  \throws CIDException when the layout is none that can be written, and where
+ *  requireWritable() does */
 PCL_CID_IO_EXPORT void
 writeCloud(std::ostream& stream, const LabelledCloud& cloud, const CloudLayout& layout);
 

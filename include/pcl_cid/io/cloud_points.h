@@ -14,7 +14,11 @@
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -26,18 +30,51 @@ struct CloudPoints {
   /** One for each point of the cloud, in its order, with its width, height and pose;
    *  those that are not finite, too. */
   pcl::PointCloud<pcl::PointXYZ>::Ptr points;
-  /** The local frame. Coordinates of type double are moved near 0, in double, so that
-   *  float keeps their millimeters at UTM coordinates; those of type float stay where
-   *  they are. */
+  /** The local frame. Coordinates of type double (or integers of 4 bytes and more) are
+   *  moved near 0, in double, so that float keeps their millimeters at UTM coordinates;
+   *  those of type float stay where they are. Single points far from all others have no
+   *  say in it. */
   Frame frame;
   /** Points whose coordinates are all finite. */
   std::size_t finite = 0;
 };
 
+/** \brief The coordinates of a cloud as they stand in its file. */
+class PCL_CID_IO_EXPORT FileCoordinates {
+public:
+  /** \param[in] cloud must live as long as this, and keep its fields
+   *  \throws CIDException when x, y or z is missing or has several values */
+  explicit FileCoordinates(const LabelledCloud& cloud);
+
+  /** \brief Of a point, by its index; they may be NaN or infinite. */
+  Eigen::Vector3d
+  operator[](std::size_t point) const;
+
+  /** \brief The type of the coordinates: one that float cannot hold where there is one
+   *  among them. */
+  std::uint8_t
+  datatype() const;
+
+private:
+  const LabelledCloud* cloud_;
+  std::array<pcl::PCLPointField, 3> fields_;
+};
+
+/** \brief Which points of a cloud count. */
+struct PointOptions {
+  /** At least 10 points exactly at (0, 0, 0), or exactly at the sensor, are what did
+   * not return: they become NaN, unless this is set or there are no others. */
+  bool keep_zeros = false;
+  /** Called with one sentence, with the name of the cloud, for each thing that a user
+   *  should know; may be empty. */
+  std::function<void(const std::string&)> remark;
+};
+
 /** \brief The coordinates of a cloud.
- *  \throws CIDException when x, y or z is missing or neither float nor double */
+ *  \throws CIDException when x, y or z is missing, and for a finite coordinate beyond
+ *  1e15, with the number of its point */
 PCL_CID_IO_EXPORT CloudPoints
-pointsOf(const LabelledCloud& cloud);
+pointsOf(const LabelledCloud& cloud, const PointOptions& options = {});
 
 /** \brief The finite points of a cloud, as the classes of pcl_cid gather them. */
 PCL_CID_IO_EXPORT PointSet

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct LabelledCloud {
   Eigen::Vector4f sensor_origin = Eigen::Vector4f::Zero();
   /** How the sensor was turned. */
   Eigen::Quaternionf sensor_orientation = Eigen::Quaternionf::Identity();
+  /** One sentence, without the name, for each thing that was passed over or assumed
+   *  when the file was read. */
+  std::vector<std::string> remarks;
 
   /** \brief Number of points. */
   std::size_t
@@ -62,22 +66,32 @@ hasField(const LabelledCloud& cloud, const std::string& name);
  *  \param[in] cloud has the field
  *  \param[in] field its name
  *  \param[in] points the coordinates of the cloud
- *  \return one label for each point; 0 for those that are not finite
+ *  \param[in] remark called with one sentence when points have none; may be empty
+ *  \return one label for each point; 0 for those that are not finite, and where the
+ *  field is -1 or NaN
  *  \throws CIDException when there is no such field (the message lists those there
  *  are), when it has several values for each point, or when the value of a finite point
- *  is not a whole number from 0 to 4294967295 */
+ *  is another number than these and no whole number from 0 to 4294967295 */
 PCL_CID_IO_EXPORT std::vector<std::uint32_t>
 labelsOf(const LabelledCloud& cloud,
          const std::string& field,
-         const CloudPoints& points);
+         const CloudPoints& points,
+         const std::function<void(const std::string&)>& remark = {});
 
 /** \brief The colors of a cloud: its field `rgb`, or else `rgba`, packed as PCL packs
- *  them.
- *  \return one for each point
- *  \throws CIDException when it has neither (the message lists the fields that there
- *  are), or when the field is not one value of 4 bytes */
+ *  them; or else three fields `red`, `green`, `blue`, or `r`, `g`, `b`, in small
+ * letters or not: bytes, or 16 bits, or other numbers from 0 to 1, to 255 where one is
+ * above 1. \return one for each point \throws CIDException when it has none of these
+ * (the message lists the fields that there are), when the packed field is not one value
+ * of 4 bytes, or when a channel of a finite point is out of its range */
 PCL_CID_IO_EXPORT std::vector<ColorRGB>
 colorsOf(const LabelledCloud& cloud);
+
+/** \brief Refuse labels that do not fit a type: U4 goes to 2^32 - 1, I4 to 2^31 - 1, F4
+ *  to 2^24.
+ *  \throws CIDException with the first label that does not */
+PCL_CID_IO_EXPORT void
+requireLabelsFit(const std::vector<std::uint32_t>& labels, LabelType type);
 
 /** \brief Give the cloud a field of labels: in the place of the one of this name, or
  *  after all other fields when there is none.
@@ -85,8 +99,8 @@ colorsOf(const LabelledCloud& cloud);
  *  \param[in] type of the field
  *  \param[in,out] cloud unchanged when an exception is thrown
  *  \param[in] name of the field
- *  \throws CIDException when a label does not fit the type (U4 goes to 2^32 - 1, I4 to
- *  2^31 - 1, F4 to 2^24) or there is not one for each point */
+ *  \throws CIDException when a label does not fit the type (see requireLabelsFit()) or
+ *  there is not one for each point */
 PCL_CID_IO_EXPORT void
 setLabels(const std::vector<std::uint32_t>& labels,
           LabelType type,

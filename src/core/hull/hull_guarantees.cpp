@@ -275,7 +275,13 @@ floatRounding(const TriangleMesh& mesh)
   double largest = 0.0;
   for (const Eigen::Vector3d& v : mesh.vertices)
     largest = std::max(largest, v.cwiseAbs().maxCoeff());
-  return 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * largest;
+  return floatRounding(largest);
+}
+
+double
+floatRounding(double size)
+{
+  return 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * size;
 }
 
 std::optional<std::string>

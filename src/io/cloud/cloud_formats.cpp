@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -133,6 +134,60 @@ requireWhole(const LabelledCloud& cloud)
   requireCoordinates(cloud);
 }
 
+/** Names that every format can hold, and that can be told apart. */
+void
+requireNames(const LabelledCloud& cloud)
+{
+  for (const pcl::PCLPointField& field : cloud.fields.fields)
+    if (field.name.empty() || field.name == "_" ||
+        std::any_of(field.name.begin(), field.name.end(), [](unsigned char c) {
+          return c <= ' ' || c == 0x7F;
+        }))
+      throw CIDException(
+          sentence(cloud.name,
+                   ": a field is named '",
+                   field.name,
+                   "'; to be written, a name must not be empty or '_', and "
+                   "must have no blanks"));
+  requireDistinctFields(cloud);
+}
+
+void
+requireHolds(const CloudFormat& format,
+             const LabelledCloud& cloud,
+             const std::function<void(const std::string&)>& remark)
+{
+  requireNames(cloud);
+  if (format.check)
+    format.check(cloud, [&](const std::string& sentence) {
+      if (remark)
+        remark(sentence);
+    });
+}
+
+const CloudFormat&
+writableFormat(const std::string& path)
+{
+  const CloudFormat* const format = findCloudFormat(path);
+  if (!format || !format->write)
+    throw CIDException(path + ": a cloud is written as " +
+                       listed(writableCloudExtensions()));
+  return *format;
+}
+
+/** A pose that is none, as some drivers write it, is as good as no pose. */
+void
+mendPose(LabelledCloud& cloud)
+{
+  const float norm = cloud.sensor_orientation.norm();
+  if (cloud.sensor_origin.allFinite() && norm > 0.0f && std::isfinite(norm))
+    return;
+  cloud.sensor_origin.setZero();
+  cloud.sensor_orientation.setIdentity();
+  cloud.remarks.push_back(
+      "its viewpoint is no pose; it is taken for (0, 0, 0), not turned");
+}
+
 } // namespace
 
 LabelledCloud
@@ -144,21 +199,27 @@ readCloud(const std::string& path)
   cloud.name = path;
   formatOf(path, stream).read(stream, size, cloud);
   requireWhole(cloud);
+  mendPose(cloud);
   return cloud;
 }
 
 CloudLayout
 layoutFor(const std::string& path, const CloudLayout& source)
 {
-  const CloudFormat* const format = findCloudFormat(path);
-  if (!format || !format->write)
-    throw CIDException(path + ": a cloud is written as " +
-                       listed(writableCloudExtensions()));
+  const CloudFormat& format = writableFormat(path);
   const bool keeps =
-      source.format == format->name || source.encoding == CloudEncoding::ascii;
-  return {format->name,
-          keeps && hasEncoding(*format, source.encoding) ? source.encoding
-                                                         : format->encodings.back()};
+      source.format == format.name || source.encoding == CloudEncoding::ascii;
+  return {format.name,
+          keeps && hasEncoding(format, source.encoding) ? source.encoding
+                                                        : format.encodings.back()};
+}
+
+void
+requireWritable(const LabelledCloud& cloud,
+                const std::string& path,
+                const std::function<void(const std::string&)>& remark)
+{
+  requireHolds(writableFormat(path), cloud, remark);
 }
 
 void
@@ -168,6 +229,7 @@ writeCloud(std::ostream& stream, const LabelledCloud& cloud, const CloudLayout& 
   if (!format || !format->write || !hasEncoding(*format, layout.encoding))
     throw CIDException(cloud.name + ": cannot be written as " + layout.format +
                        " in the encoding that is asked for; choose another layout");
+  requireHolds(*format, cloud, {});
   format->write(stream, cloud, layout.encoding);
 }
 

@@ -127,7 +127,11 @@ readScan(const std::string& path, const ScanOptions& options)
     return dataset->read(path, options);
   if (isFolder(path))
     refuseFolder(path);
-  return readCloud(path);
+  LabelledCloud cloud = readCloud(path);
+  for (const std::string& remark : cloud.remarks)
+    if (options.remark)
+      options.remark(path + ": " + remark);
+  return cloud;
 }
 
 std::vector<std::string>

@@ -7,64 +7,193 @@
  * The coordinates of a cloud, for the classes of pcl_cid.
  */
 
+#include "base/sentence.h"
 #include "field_values.h"
 #include "required_fields.h"
 
 #include <pcl_cid/io/cloud_points.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 namespace pcl_cid {
 namespace {
 
-/** Coordinates as they stand in the file, in fields that are all float or double. */
-class CoordinateReading {
+/** Farther out, even the coordinates of double are too coarse for hulls. */
+constexpr double largest_coordinate = 1e15;
+
+/** The type of a coordinate whose values do not all fit into float. */
+bool
+exceedsFloat(std::uint8_t datatype)
+{
+  return datatype != pcl::PCLPointField::FLOAT32 && sizeOf(datatype) > 2;
+}
+
+/** How far apart two neighboring values of a type are.
+ *  \param[in] size of the values */
+double
+stepOf(std::uint8_t datatype, double size)
+{
+  if (kindOf(datatype) != 'F')
+    return 1.0;
+  const int digits = datatype == pcl::PCLPointField::FLOAT32
+                         ? std::numeric_limits<float>::digits
+                         : std::numeric_limits<double>::digits;
+  return size > 0.0 ? std::ldexp(1.0, std::ilogb(size) + 1 - digits) : 0.0;
+}
+
+/** The points of a file, and what there is to say about them before they are used. */
+class PointReading {
 public:
-  explicit CoordinateReading(const LabelledCloud& cloud)
-  : cloud_(cloud)
-  , fields_{
-        requireField(cloud, "x"), requireField(cloud, "y"), requireField(cloud, "z")}
+  PointReading(const LabelledCloud& cloud, const PointOptions& options)
+  : cloud_(cloud), coordinates_(cloud), options_(options)
   {
+    points_.reserve(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      points_.push_back(coordinates_[i]);
   }
 
-  Eigen::Vector3d
-  point(std::size_t i) const
+  CloudPoints
+  read()
   {
-    const std::uint8_t* const bytes =
-        cloud_.fields.data.data() + i * cloud_.fields.point_step;
-    Eigen::Vector3d p;
+    requireInRange();
+    if (!options_.keep_zeros)
+      dropNoReturns();
+    const Eigen::AlignedBox3d bulk = boxOfBulk();
+    remarkOnStep(bulk);
+    CloudPoints result;
+    if (exceedsFloat(coordinates_.datatype()) && !bulk.isEmpty())
+      result.frame.origin = middleOf(bulk);
+    moveInto(result);
+    return result;
+  }
+
+private:
+  void
+  remark(const std::string& sentence) const
+  {
+    if (options_.remark)
+      options_.remark(cloud_.name + ": " + sentence);
+  }
+
+  void
+  requireInRange() const
+  {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis)
+        if (const double value = points_[i][axis];
+            std::isfinite(value) && std::abs(value) > largest_coordinate)
+          throw CIDException(sentence(cloud_.name,
+                                      ": the ",
+                                      "xyz"[axis],
+                                      " of point ",
+                                      i,
+                                      " is ",
+                                      value,
+                                      "; coordinates go to 1e15, and a point that is "
+                                      "none has NaN"));
+  }
+
+  /** Drivers write what did not return as a point at the sensor. */
+  void
+  dropNoReturns()
+  {
+    dropPointsAt(Eigen::Vector3d::Zero());
+    const Eigen::Vector3d sensor = cloud_.sensor_origin.head<3>().cast<double>();
+    if (!sensor.isZero(0.0))
+      dropPointsAt(sensor);
+  }
+
+  void
+  dropPointsAt(const Eigen::Vector3d& place)
+  {
+    constexpr std::ptrdiff_t many = 10;
+    const auto isThere = [&](const Eigen::Vector3d& p) { return p == place; };
+    const auto isFinite = [](const Eigen::Vector3d& p) { return p.allFinite(); };
+    const auto count = std::count_if(points_.begin(), points_.end(), isThere);
+    if (count < many ||
+        count == std::count_if(points_.begin(), points_.end(), isFinite))
+      return;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    std::replace_if(
+        points_.begin(), points_.end(), isThere, Eigen::Vector3d::Constant(nan));
+    remark(sentence(count,
+                    " points lie exactly at (",
+                    place.x(),
+                    ", ",
+                    place.y(),
+                    ", ",
+                    place.z(),
+                    "), where sensors put what did not return; they are left out "
+                    "(keep-zeros keeps them)"));
+  }
+
+  /** The bounding box without points that are far from all others: one at (0, 0, 0), or
+   *  where a position was lost. */
+  Eigen::AlignedBox3d
+  boxOfBulk() const
+  {
+    constexpr double far = 100.0; // times the size of the bulk
+    Eigen::AlignedBox3d box;
+    const auto [middle, size] = bulk();
+    for (const Eigen::Vector3d& p : points_)
+      if (p.allFinite() && (p - middle).cwiseAbs().maxCoeff() <= far * size)
+        box.extend(p);
+    return box;
+  }
+
+  /** The median, and how far apart 90 percent of a sample of the points are. */
+  std::pair<Eigen::Vector3d, double>
+  bulk() const
+  {
+    constexpr std::size_t sample_size = 10000;
+    const std::size_t stride = 1 + points_.size() / sample_size;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    double size = 0.0;
+    std::vector<double> values;
     for (int axis = 0; axis < 3; ++axis) {
-      const pcl::PCLPointField& field = fields_[axis];
-      p[axis] = field.datatype == pcl::PCLPointField::FLOAT32
-                    ? static_cast<double>(loadValue<float>(bytes + field.offset))
-                    : loadValue<double>(bytes + field.offset);
+      values.clear();
+      for (std::size_t i = 0; i < points_.size(); i += stride)
+        if (points_[i].allFinite())
+          values.push_back(points_[i][axis]);
+      if (values.empty())
+        return {middle, std::numeric_limits<double>::max()};
+      std::sort(values.begin(), values.end());
+      const std::size_t last = values.size() - 1;
+      middle[axis] = values[last / 2];
+      size = std::max(size, values[last - last / 20] - values[last / 20]);
     }
-    return p;
+    return {middle, size > 0.0 ? size : 1.0};
   }
 
-  bool
-  areDouble() const
+  void
+  remarkOnStep(const Eigen::AlignedBox3d& bulk) const
   {
-    for (const pcl::PCLPointField& field : fields_)
-      if (field.datatype == pcl::PCLPointField::FLOAT64)
-        return true;
-    return false;
+    if (bulk.isEmpty())
+      return;
+    constexpr double most = 1e-3;
+    const double largest =
+        std::max(bulk.min().cwiseAbs().maxCoeff(), bulk.max().cwiseAbs().maxCoeff());
+    const double step = stepOf(coordinates_.datatype(), largest);
+    if (step > most)
+      remark(sentence("its coordinates come in steps of ",
+                      step,
+                      " m; what is smaller is lost (write them as double, or nearer to "
+                      "the origin)"));
   }
 
   /** An origin for coordinates that are about as small as the cloud: the center of its
-   *  bounding box, rounded to steps of about its size; 0 on an axis where the cloud is
-   *  near 0 anyway. */
-  Eigen::Vector3d
-  middle() const
+   *  box, rounded to steps of about its size; 0 on an axis where the cloud is near 0
+   *  anyway. */
+  static Eigen::Vector3d
+  middleOf(const Eigen::AlignedBox3d& box)
   {
-    Eigen::AlignedBox3d box;
-    for (std::size_t i = 0; i < cloud_.size(); ++i)
-      if (const Eigen::Vector3d p = point(i); p.allFinite())
-        box.extend(p);
-    if (box.isEmpty())
-      return Eigen::Vector3d::Zero();
     const double size = box.sizes().maxCoeff();
     const double step = size > 0.0 ? std::exp2(std::ceil(std::log2(size))) : 1.0;
     return box.center().unaryExpr([step](double center) {
@@ -72,35 +201,64 @@ public:
     });
   }
 
-private:
+  void
+  moveInto(CloudPoints& result) const
+  {
+    result.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
+    result.points->reserve(points_.size());
+    for (const Eigen::Vector3d& point : points_) {
+      const Eigen::Vector3f p = result.frame.toLocal(point).cast<float>();
+      result.points->emplace_back(p.x(), p.y(), p.z());
+      result.finite += p.allFinite() ? 1 : 0;
+    }
+    result.points->width = cloud_.fields.width;
+    result.points->height = cloud_.fields.height;
+    result.points->is_dense = result.finite == points_.size();
+    result.points->sensor_origin_.head<3>() =
+        result.frame.toLocal(cloud_.sensor_origin.head<3>().cast<double>())
+            .cast<float>();
+    result.points->sensor_orientation_ = cloud_.sensor_orientation;
+  }
+
   const LabelledCloud& cloud_;
-  const pcl::PCLPointField fields_[3];
+  const FileCoordinates coordinates_;
+  const PointOptions& options_;
+  std::vector<Eigen::Vector3d> points_;
 };
 
 } // namespace
 
-CloudPoints
-pointsOf(const LabelledCloud& cloud)
+FileCoordinates::FileCoordinates(const LabelledCloud& cloud) : cloud_(&cloud)
 {
   requireCoordinates(cloud);
-  const CoordinateReading coordinates(cloud);
-  CloudPoints result;
-  if (coordinates.areDouble())
-    result.frame.origin = coordinates.middle();
-  result.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
-  result.points->reserve(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f p = result.frame.toLocal(coordinates.point(i)).cast<float>();
-    result.points->emplace_back(p.x(), p.y(), p.z());
-    result.finite += p.allFinite() ? 1 : 0;
-  }
-  result.points->width = cloud.fields.width;
-  result.points->height = cloud.fields.height;
-  result.points->is_dense = result.finite == cloud.size();
-  result.points->sensor_origin_.head<3>() =
-      result.frame.toLocal(cloud.sensor_origin.head<3>().cast<double>()).cast<float>();
-  result.points->sensor_orientation_ = cloud.sensor_orientation;
-  return result;
+  for (int axis = 0; axis < 3; ++axis)
+    fields_[axis] = requireField(cloud, std::string(1, "xyz"[axis]));
+}
+
+Eigen::Vector3d
+FileCoordinates::operator[](std::size_t point) const
+{
+  const std::uint8_t* const bytes =
+      cloud_->fields.data.data() + point * cloud_->fields.point_step;
+  Eigen::Vector3d p;
+  for (int axis = 0; axis < 3; ++axis)
+    p[axis] = toDouble(bytes + fields_[axis].offset, fields_[axis].datatype);
+  return p;
+}
+
+std::uint8_t
+FileCoordinates::datatype() const
+{
+  for (const pcl::PCLPointField& field : fields_)
+    if (exceedsFloat(field.datatype))
+      return field.datatype;
+  return fields_[0].datatype;
+}
+
+CloudPoints
+pointsOf(const LabelledCloud& cloud, const PointOptions& options)
+{
+  return PointReading(cloud, options).read();
 }
 
 PointSet

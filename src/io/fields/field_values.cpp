@@ -14,6 +14,15 @@
 #include <type_traits>
 
 namespace pcl_cid {
+
+double
+toDouble(const std::uint8_t* bytes, std::uint8_t datatype)
+{
+  return visitType(datatype, [&](auto type) {
+    return static_cast<double>(loadValue<decltype(type)>(bytes));
+  });
+}
+
 std::size_t
 sizeOf(std::uint8_t datatype)
 {
@@ -23,6 +32,8 @@ sizeOf(std::uint8_t datatype)
 char
 kindOf(std::uint8_t datatype)
 {
+  if (datatype == pcl::PCLPointField::BOOL)
+    return 'B';
   return visitType(datatype, [](auto value) {
     using Value = decltype(value);
     return std::is_floating_point_v<Value> ? 'F' : std::is_signed_v<Value> ? 'I' : 'U';
@@ -34,6 +45,7 @@ datatypeOf(char kind, std::size_t size)
 {
   for (const std::uint8_t datatype : {pcl::PCLPointField::INT8,
                                       pcl::PCLPointField::UINT8,
+                                      pcl::PCLPointField::BOOL,
                                       pcl::PCLPointField::INT16,
                                       pcl::PCLPointField::UINT16,
                                       pcl::PCLPointField::INT32,
@@ -51,7 +63,7 @@ bool
 parseValue(std::string_view text, std::uint8_t datatype, std::uint8_t* bytes)
 {
   return visitType(datatype, [&](auto type) {
-    const auto value = parseNumber<decltype(type)>(text);
+    const auto value = parseLoosely<decltype(type)>(text);
     if (value)
       std::memcpy(bytes, &*value, sizeof(*value));
     return value.has_value();

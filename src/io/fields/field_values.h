@@ -29,6 +29,7 @@ visitType(std::uint8_t datatype, Visitor&& visit)
   case pcl::PCLPointField::INT8:
     return visit(std::int8_t());
   case pcl::PCLPointField::UINT8:
+  case pcl::PCLPointField::BOOL:
     return visit(std::uint8_t());
   case pcl::PCLPointField::INT16:
     return visit(std::int16_t());
@@ -59,11 +60,15 @@ loadValue(const std::uint8_t* bytes)
   return value;
 }
 
+/** \brief A value of any type. Whole numbers of more than 53 bits are rounded. */
+double
+toDouble(const std::uint8_t* bytes, std::uint8_t datatype);
+
 /** \brief Bytes of one value. */
 std::size_t
 sizeOf(std::uint8_t datatype);
 
-/** \brief 'I', 'U' or 'F', as PCD calls it. */
+/** \brief 'I', 'U', 'F' or 'B', as PCD calls it. */
 char
 kindOf(std::uint8_t datatype);
 

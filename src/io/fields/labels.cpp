@@ -11,6 +11,7 @@
 #include "field_exchange.h"
 #include "field_values.h"
 #include "required_fields.h"
+#include "text/numbers.h"
 
 #include <pcl_cid/io/cloud_points.h>
 
@@ -23,6 +24,17 @@ namespace {
 
 constexpr double largest_label = std::numeric_limits<std::uint32_t>::max();
 
+/** \return whether the value stands for no label, as other programs write it */
+template <typename Value>
+bool
+isNone(Value value)
+{
+  if constexpr (std::is_floating_point_v<Value>)
+    return std::isnan(value) || value == -1;
+  else
+    return std::is_signed_v<Value> && value == static_cast<Value>(-1);
+}
+
 /** \return whether the value is a whole number that a label can be */
 template <typename Value>
 bool
@@ -34,24 +46,6 @@ isLabel(Value value)
   else
     return value >= 0 && static_cast<std::uint64_t>(value) <=
                              std::numeric_limits<std::uint32_t>::max();
-}
-
-void
-requireLabelsFit(const std::vector<std::uint32_t>& labels, LabelType type)
-{
-  const std::uint32_t largest =
-      type == LabelType::U4   ? std::numeric_limits<std::uint32_t>::max()
-      : type == LabelType::I4 ? std::numeric_limits<std::int32_t>::max()
-                              : 1u << std::numeric_limits<float>::digits;
-  for (const std::uint32_t label : labels)
-    if (label > largest)
-      throw CIDException(sentence("label ",
-                                  label,
-                                  " does not fit the label type ",
-                                  type == LabelType::I4 ? "I4" : "F4",
-                                  ", which goes to ",
-                                  largest,
-                                  "; use U4"));
 }
 
 std::uint8_t
@@ -83,16 +77,22 @@ hasField(const LabelledCloud& cloud, const std::string& name)
 std::vector<std::uint32_t>
 labelsOf(const LabelledCloud& cloud,
          const std::string& field,
-         const CloudPoints& points)
+         const CloudPoints& points,
+         const std::function<void(const std::string&)>& remark)
 {
   const pcl::PCLPointField& source = requireField(cloud, field);
   std::vector<std::uint32_t> labels(cloud.size(), 0);
+  std::size_t none = 0;
   visitType(source.datatype, [&](auto type) {
     const std::uint8_t* bytes = cloud.fields.data.data() + source.offset;
     for (std::size_t i = 0; i < cloud.size(); ++i, bytes += cloud.fields.point_step) {
       if (!(*points.points)[i].getVector3fMap().allFinite())
         continue;
       const auto value = loadValue<decltype(type)>(bytes);
+      if (isNone(value)) {
+        ++none;
+        continue;
+      }
       if (!isLabel(value))
         throw CIDException(
             sentence(cloud.name,
@@ -102,11 +102,37 @@ labelsOf(const LabelledCloud& cloud,
                      i,
                      " is ",
                      +value,
-                     "; a label must be a whole number, 0 to 4294967295"));
+                     "; a label must be a whole number, 0 to 4294967295, or -1 or NaN "
+                     "for none"));
       labels[i] = static_cast<std::uint32_t>(value);
     }
   });
+  if (none > 0 && remark)
+    remark(sentence(cloud.name,
+                    ": field '",
+                    field,
+                    "' is -1 or NaN for ",
+                    countOf(none, "point"),
+                    "; taken as label 0"));
   return labels;
+}
+
+void
+requireLabelsFit(const std::vector<std::uint32_t>& labels, LabelType type)
+{
+  const std::uint32_t largest =
+      type == LabelType::U4   ? std::numeric_limits<std::uint32_t>::max()
+      : type == LabelType::I4 ? std::numeric_limits<std::int32_t>::max()
+                              : 1u << std::numeric_limits<float>::digits;
+  for (const std::uint32_t label : labels)
+    if (label > largest)
+      throw CIDException(sentence("label ",
+                                  label,
+                                  " does not fit the label type ",
+                                  type == LabelType::I4 ? "I4" : "F4",
+                                  ", which goes to ",
+                                  largest,
+                                  "; use U4"));
 }
 
 void

@@ -15,23 +15,6 @@
 #include <set>
 
 namespace pcl_cid {
-namespace {
-
-void
-requireCoordinate(const LabelledCloud& cloud, const std::string& name)
-{
-  const pcl::PCLPointField& field = requireField(cloud, name);
-  if (kindOf(field.datatype) != 'F')
-    throw CIDException(sentence(cloud.name,
-                                ": field '",
-                                name,
-                                "' has type ",
-                                kindOf(field.datatype),
-                                sizeOf(field.datatype),
-                                "; it must be F4 or F8"));
-}
-
-} // namespace
 
 std::string
 listOfFields(const LabelledCloud& cloud)
@@ -66,7 +49,7 @@ void
 requireCoordinates(const LabelledCloud& cloud)
 {
   for (const char* const axis : {"x", "y", "z"})
-    requireCoordinate(cloud, axis);
+    requireField(cloud, axis);
 }
 
 void

@@ -24,7 +24,7 @@ listOfFields(const LabelledCloud& cloud);
 const pcl::PCLPointField&
 requireField(const LabelledCloud& cloud, const std::string& name);
 
-/** \brief Refuse a cloud without a single x, y and z of type float or double.
+/** \brief Refuse a cloud without a single x, y and z.
  *  \throws CIDException */
 void
 requireCoordinates(const LabelledCloud& cloud);

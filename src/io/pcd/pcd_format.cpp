@@ -10,6 +10,7 @@
 #include "pcd_format.h"
 
 #include "pcd_header.h"
+#include "text/file_reading.h"
 
 #include <iomanip>
 #include <istream>
@@ -22,9 +23,11 @@ namespace {
 bool
 recognizesPCD(std::istream& stream)
 {
+  const char line_end = lineEndOf(stream);
+  passByteOrderMark(stream);
   std::string line;
   while ((stream >> std::ws).peek() == '#')
-    std::getline(stream, line);
+    std::getline(stream, line, line_end);
   constexpr int longer_than_any = 16; // of a file without blanks, no more is read
   std::string word;
   stream >> std::setw(longer_than_any) >> word;

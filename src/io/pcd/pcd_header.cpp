@@ -10,6 +10,7 @@
 #include "pcd_header.h"
 
 #include "base/sentence.h"
+#include "text/file_reading.h"
 #include "text/numbers.h"
 
 #include <algorithm>
@@ -39,7 +40,10 @@ constexpr std::uint64_t largest_count = std::numeric_limits<std::int32_t>::max()
 /** Gathers the entries, then makes a header of them. */
 class HeaderReading {
 public:
-  explicit HeaderReading(const std::string& name) : name_(name) {}
+  HeaderReading(const std::string& name, char line_end) : name_(name)
+  {
+    header_.line_end = line_end;
+  }
 
   /** \return whether more lines follow */
   bool
@@ -153,6 +157,11 @@ private:
     std::uint64_t bytes = 0; // with padding
     std::uint32_t offset = 0;
     for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!counts_.empty() && wholeNumber("COUNT", counts_[i]) == 0) {
+        if (names_[i] != PCDColumn::padding)
+          header_.empty_columns.push_back(names_[i]);
+        continue;
+      }
       PCDColumn column = columnOf(i);
       bytes += column.bytes();
       if (bytes > largest_count)
@@ -187,11 +196,9 @@ private:
            types_[i],
            " and SIZE ",
            sizes_[i],
-           "; known are I and U with 1, 2, 4, 8 and F with 4, 8");
+           "; known are I and U with 1, 2, 4, 8, F with 4, 8 and B with 1");
     if (!counts_.empty())
       column.count = static_cast<std::uint32_t>(wholeNumber("COUNT", counts_[i]));
-    if (column.count == 0)
-      fail("field '", names_[i], "' has COUNT 0; it must be at least 1");
     return column;
   }
 
@@ -228,10 +235,12 @@ isPCDEntry(std::string_view word)
 PCDHeader
 readPCDHeader(std::istream& stream, const std::string& name)
 {
-  HeaderReading reading(name);
+  const char line_end = lineEndOf(stream);
+  passByteOrderMark(stream);
+  HeaderReading reading(name, line_end);
   std::string line;
   do {
-    if (!std::getline(stream, line))
+    if (!readHeaderLine(stream, line_end, name, line))
       throw CIDException(name + ": the PCD header has no DATA entry; the file is "
                                 "truncated");
   } while (reading.takeLine(line));

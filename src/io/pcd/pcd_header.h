@@ -23,6 +23,9 @@ namespace pcl_cid {
 
 /** \brief One entry of FIELDS with its SIZE, TYPE and COUNT. */
 struct PCDColumn {
+  /** The name of what holds no values. */
+  static constexpr const char* padding = "_";
+
   std::string name;
   std::uint8_t datatype = pcl::PCLPointField::FLOAT32;
   std::uint32_t count = 1;
@@ -33,7 +36,7 @@ struct PCDColumn {
   bool
   isPadding() const
   {
-    return name == "_";
+    return name == padding;
   }
 
   /** \brief Bytes in a point. */
@@ -47,13 +50,17 @@ struct PCDColumn {
 /** \brief A header. */
 struct PCDHeader {
   CloudEncoding encoding = CloudEncoding::ascii;
+  /** Those with values. */
   std::vector<PCDColumn> columns;
+  /** Names of the others, with COUNT 0. */
+  std::vector<std::string> empty_columns;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-  /** Number of lines of the header. */
+  /** Number of lines of the header, and what ends them. */
   std::size_t lines = 0;
+  char line_end = '\n';
 };
 
 /** \brief Whether a word is the name of an entry: FIELDS, WIDTH, ... */

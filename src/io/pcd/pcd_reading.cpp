@@ -68,6 +68,8 @@ private:
     cloud_.sensor_orientation = header_.orientation;
     cloud_.fields.width = header_.width;
     cloud_.fields.height = header_.height;
+    for (const std::string& name : header_.empty_columns)
+      cloud_.remarks.push_back("field '" + name + "' has COUNT 0; it is passed over");
     for (const PCDColumn& column : header_.columns)
       if (!column.isPadding())
         addField(column.name, column.datatype, column.count, cloud_.fields);
@@ -106,7 +108,7 @@ private:
     std::uint8_t* point = cloud_.fields.data.data();
     std::string line;
     std::size_t read = 0;
-    while (std::getline(stream_, line)) {
+    while (std::getline(stream_, line, header_.line_end)) {
       ++line_;
       if (line.find_first_not_of(" \t\r") == std::string::npos)
         continue;
@@ -180,6 +182,33 @@ private:
       }
       point += cloud_.fields.point_step;
     }
+    passPadding(needed);
+  }
+
+  /** Some programs fill the last page of memory with zeros. Anything else after the
+   *  points shows that the header does not fit them.
+   *  \param[in] read bytes of the points */
+  void
+  passPadding(std::uint64_t read)
+  {
+    const std::uint64_t left = body_size_ - read;
+    if (left == 0)
+      return;
+    constexpr std::uint64_t page = 4096;
+    std::vector<char> rest(std::min(left, page));
+    readBytes(rest.data(), rest.size());
+    const bool is_zero =
+        std::all_of(rest.begin(), rest.end(), [](char c) { return c == 0; });
+    if (left > page || !is_zero)
+      fail("has ",
+           left,
+           " bytes after its last point; the header says ",
+           countOf(cloud_.size(), "point"),
+           " in ",
+           read,
+           " bytes, so fields or points are missing in it");
+    cloud_.remarks.push_back(
+        sentence(left, " zero bytes after the last point are passed over"));
   }
 
   /** Two sizes, then all values of the first field, of the second, ... compressed. */
@@ -214,6 +243,7 @@ private:
       fail("is damaged: the compressed data cannot be unpacked");
     makeRoom();
     unpackFields(plain.data());
+    passPadding(sizeof(sizes) + packed_size);
   }
 
   void

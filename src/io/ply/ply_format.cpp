@@ -9,6 +9,8 @@
 
 #include "ply_format.h"
 
+#include "text/file_reading.h"
+
 #include <iomanip>
 #include <istream>
 #include <string>
@@ -21,9 +23,9 @@ bool
 recognizesPLY(std::istream& stream)
 {
   constexpr int longer_than_ply = 8; // of a file without blanks, no more is read
+  passByteOrderMark(stream);
   std::string word;
-  return stream.peek() == 'p' && stream >> std::setw(longer_than_ply) >> word &&
-         word == "ply";
+  return stream >> std::setw(longer_than_ply) >> word && word == "ply";
 }
 
 } // namespace
@@ -37,6 +39,7 @@ plyFormat()
   format.encodings = {CloudEncoding::ascii, CloudEncoding::binary};
   format.recognizes = recognizesPLY;
   format.read = readPLYCloud;
+  format.check = checkPLYCloud;
   format.write = writePLYCloud;
   return format;
 }

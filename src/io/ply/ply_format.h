@@ -12,7 +12,9 @@
 #include <pcl_cid/io/cloud_format.h>
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
+#include <string>
 
 namespace pcl_cid {
 
@@ -23,6 +25,11 @@ plyFormat();
 /** \brief Read the vertices and the camera of a PLY; see CloudFormat::read. */
 void
 readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
+
+/** \brief Whether a PLY can hold a cloud; see CloudFormat::check. */
+void
+checkPLYCloud(const LabelledCloud& cloud,
+              const std::function<void(const std::string&)>& remark);
 
 /** \brief Write a PLY; see CloudFormat::write. */
 void

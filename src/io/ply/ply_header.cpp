@@ -11,6 +11,7 @@
 
 #include "base/sentence.h"
 #include "fields/field_values.h"
+#include "text/file_reading.h"
 #include "text/numbers.h"
 
 #include <pcl_cid/exceptions.h>
@@ -38,13 +39,16 @@ constexpr TypeName type_names[] = {{"char", "int8", pcl::PCLPointField::INT8},
 /** Reads the header line by line. */
 class HeaderReading {
 public:
-  explicit HeaderReading(const std::string& name) : name_(name) {}
+  HeaderReading(const std::string& name, char line_end) : name_(name)
+  {
+    header_.line_end = line_end;
+  }
 
   /** \return whether more lines follow */
   bool
   takeLine(const std::string& line)
   {
-    ++line_number_;
+    ++header_.lines;
     line_ = line;
     std::istringstream words(line);
     std::string key;
@@ -76,7 +80,7 @@ private:
   {
     throw CIDException(sentence(name_,
                                 ": line ",
-                                line_number_,
+                                header_.lines,
                                 ": '",
                                 line_.substr(0, 64),
                                 "' is no line of a PLY header"));
@@ -136,7 +140,6 @@ private:
   const std::string& name_;
   PLYHeader header_;
   std::string line_;
-  std::size_t line_number_ = 0;
   bool format_known_ = false;
 };
 
@@ -155,10 +158,12 @@ PLYElement::find(const std::string& property, std::uint8_t datatype) const
 PLYHeader
 readPLYHeader(std::istream& stream, const std::string& name)
 {
-  HeaderReading reading(name);
+  const char line_end = lineEndOf(stream);
+  passByteOrderMark(stream);
+  HeaderReading reading(name, line_end);
   std::string line;
   do {
-    if (!std::getline(stream, line))
+    if (!readHeaderLine(stream, line_end, name, line))
       throw CIDException(name + ": the PLY header does not end; the file is truncated");
   } while (reading.takeLine(line));
   return reading.header();

@@ -41,6 +41,9 @@ struct PLYHeader {
   enum class Encoding { ascii, little_endian, big_endian };
   Encoding encoding = Encoding::ascii;
   std::vector<PLYElement> elements;
+  /** Number of lines of the header, and what ends them. */
+  std::size_t lines = 0;
+  char line_end = '\n';
 };
 
 /** \brief Read a header, to the end of its last line.

@@ -11,40 +11,60 @@
 #include "fields/field_values.h"
 #include "ply_format.h"
 #include "ply_header.h"
+#include "ply_rows.h"
 #include "text/file_reading.h"
 #include "text/numbers.h"
 
 #include <pcl_cid/io/labelled_cloud.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <istream>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl_cid {
 namespace {
 
-/** A value of any type. */
-using Bytes = std::array<std::uint8_t, 8>;
-
-double
-toDouble(const Bytes& bytes, std::uint8_t datatype)
-{
-  return visitType(datatype, [&](auto type) {
-    return static_cast<double>(loadValue<decltype(type)>(bytes.data()));
-  });
-}
-
-/** PCL's names of normals. */
+/** PCL's names of normals, unless these are taken. */
 std::string
-fieldName(const std::string& property)
+fieldName(const std::string& property, const PLYElement& points)
 {
-  if (property == "nx" || property == "ny" || property == "nz")
-    return "normal_" + property.substr(1);
-  return property;
+  if (property != "nx" && property != "ny" && property != "nz")
+    return property;
+  const std::string name = "normal_" + property.substr(1);
+  return points.find(name) < 0 ? name : property;
 }
+
+/** What holds no values: a PLY by PCL has padding, as a PCD has. */
+bool
+isPadding(const PLYProperty& property)
+{
+  return property.name == "_";
+}
+
+/** A list of the vertices: a field with several values when all have the same number.
+ */
+struct VertexList {
+  std::size_t property;
+  std::optional<std::uint64_t> length = {};
+  bool varies = false;
+  std::vector<std::uint8_t> values = {};
+
+  void
+  take(const std::uint8_t* bytes, std::uint64_t count, std::size_t value_size)
+  {
+    varies = varies || count != length.value_or(count);
+    length = count;
+    if (varies)
+      values = {};
+    else
+      values.insert(values.end(), bytes, bytes + count * value_size);
+  }
+};
 
 /** Which properties of the vertices make up a packed color; -1 where there is none. */
 struct ColorProperties {
@@ -55,6 +75,8 @@ struct ColorProperties {
 
   explicit ColorProperties(const PLYElement& element)
   {
+    if (element.find("rgb") >= 0 || element.find("rgba") >= 0)
+      return;
     for (const std::string prefix : {"", "diffuse_"}) {
       if (red >= 0 && green >= 0 && blue >= 0)
         break;
@@ -83,9 +105,9 @@ struct ColorProperties {
 class PLYReading {
 public:
   PLYReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
-  : stream_(stream)
-  , header_(readPLYHeader(stream, cloud.name))
+  : header_(readPLYHeader(stream, cloud.name))
   , body_size_(bytesLeft(stream, size))
+  , rows_(stream, size, header_, cloud.name)
   , cloud_(cloud)
   {
   }
@@ -103,7 +125,10 @@ public:
       else if (element.name == "camera" && element.count == 1)
         readCamera(element);
       else
-        readRows(element, [](std::uint64_t, std::size_t, const Bytes&) {});
+        rows_.pass(element);
+    rows_.requireEnd();
+    for (const VertexList& list : lists_)
+      addList(points.properties[list.property], list);
   }
 
 private:
@@ -139,13 +164,10 @@ private:
   requireBytes(const PLYElement& points) const
   {
     std::uint64_t row = 0;
-    for (const PLYProperty& property : points.properties) {
-      if (property.length_datatype != 0)
-        fail("the vertices have a list, '",
-             property.name,
-             "'; only single values can be read");
-      row += isAscii() ? 2 : sizeOf(property.datatype);
-    }
+    for (const PLYProperty& property : points.properties)
+      row += isAscii()                       ? 2
+             : property.length_datatype != 0 ? sizeOf(property.length_datatype)
+                                             : sizeOf(property.datatype);
     const std::uint64_t least = points.count * row - (isAscii() ? 1 : 0);
     if (body_size_ < least)
       fail("is truncated: ",
@@ -162,24 +184,34 @@ private:
   {
     const ColorProperties color(points);
     std::int64_t color_offset = -1;
+    targets_.resize(points.properties.size());
     for (std::size_t i = 0; i < points.properties.size(); ++i) {
       const PLYProperty& property = points.properties[i];
-      const int byte = color.byteOf(static_cast<int>(i));
-      if (byte < 0) {
-        offsets_.push_back(
-            addField(fieldName(property.name), property.datatype, 1, cloud_.fields)
-                .offset);
+      if (isPadding(property))
+        continue;
+      if (property.length_datatype != 0) {
+        targets_[i].list = static_cast<int>(lists_.size());
+        lists_.push_back({i});
         continue;
       }
-      if (color_offset < 0)
+      const int byte = color.byteOf(static_cast<int>(i));
+      if (byte >= 0 && color_offset < 0)
         color_offset = addColor(color.alpha >= 0);
-      offsets_.push_back(static_cast<std::uint32_t>(color_offset + byte));
+      targets_[i].offset = byte >= 0 ? color_offset + byte : addValue(property, points);
     }
     cloud_.fields.width = static_cast<std::uint32_t>(points.count);
     cloud_.fields.height = 1;
   }
 
-  std::uint32_t
+  std::int64_t
+  addValue(const PLYProperty& property, const PLYElement& points)
+  {
+    return addField(
+               fieldName(property.name, points), property.datatype, 1, cloud_.fields)
+        .offset;
+  }
+
+  std::int64_t
   addColor(bool with_alpha)
   {
     return with_alpha
@@ -193,11 +225,52 @@ private:
     const std::size_t step = cloud_.fields.point_step;
     cloud_.fields.data.assign(step * points.count, 0);
     std::uint8_t* const data = cloud_.fields.data.data();
-    readRows(points, [&](std::uint64_t row, std::size_t i, const Bytes& value) {
-      std::memcpy(data + row * step + offsets_[i],
-                  value.data(),
-                  sizeOf(points.properties[i].datatype));
-    });
+    std::vector<std::size_t> sizes;
+    for (const PLYProperty& property : points.properties)
+      sizes.push_back(sizeOf(property.datatype));
+    rows_.read(points,
+               [&](std::uint64_t row,
+                   std::size_t i,
+                   const std::uint8_t* values,
+                   std::uint64_t count) {
+                 const Target& target = targets_[i];
+                 if (target.offset >= 0)
+                   std::memcpy(data + row * step + target.offset, values, sizes[i]);
+                 else if (target.list >= 0)
+                   lists_[static_cast<std::size_t>(target.list)].take(
+                       values, count, sizes[i]);
+               });
+  }
+
+  void
+  addList(const PLYProperty& property, const VertexList& list)
+  {
+    const std::uint64_t count = list.varies ? 0 : list.length.value_or(0);
+    constexpr std::uint64_t largest_step = std::numeric_limits<std::int32_t>::max();
+    if (count == 0 ||
+        cloud_.fields.point_step + count * sizeOf(property.datatype) > largest_step) {
+      cloud_.remarks.push_back("the list '" + property.name +
+                               "' of its vertices is passed over; only lists that are "
+                               "equally long for all of them can be kept");
+      return;
+    }
+    const std::size_t old_step = cloud_.fields.point_step;
+    const std::size_t bytes = count * sizeOf(property.datatype);
+    addField(property.name,
+             property.datatype,
+             static_cast<std::uint32_t>(count),
+             cloud_.fields);
+    std::vector<std::uint8_t> data;
+    data.reserve(cloud_.size() * cloud_.fields.point_step);
+    const std::uint8_t* point = cloud_.fields.data.data();
+    const std::uint8_t* values = list.values.data();
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      data.insert(data.end(), point, point + old_step);
+      data.insert(data.end(), values, values + bytes);
+      point += old_step;
+      values += bytes;
+    }
+    cloud_.fields.data = std::move(data);
   }
 
   /** PCL writes the pose as position and axes, and the shape as the viewport. */
@@ -205,9 +278,14 @@ private:
   readCamera(const PLYElement& camera)
   {
     std::vector<double> values(camera.properties.size());
-    readRows(camera, [&](std::uint64_t, std::size_t i, const Bytes& value) {
-      values[i] = toDouble(value, camera.properties[i].datatype);
-    });
+    rows_.read(camera,
+               [&](std::uint64_t,
+                   std::size_t i,
+                   const std::uint8_t* bytes,
+                   std::uint64_t count) {
+                 if (count > 0)
+                   values[i] = toDouble(bytes, camera.properties[i].datatype);
+               });
     const auto valueOf = [&](const std::string& name) {
       const int i = camera.find(name);
       return i < 0 ? 0.0 : values[static_cast<std::size_t>(i)];
@@ -228,93 +306,26 @@ private:
   void
   takeShape(double width, double height)
   {
-    if (width < 1.0 || height < 1.0 ||
+    if (width < 1.0 || height < 1.0 || std::floor(width) != width ||
         width * height != static_cast<double>(cloud_.size()))
       return;
     cloud_.fields.width = static_cast<std::uint32_t>(width);
     cloud_.fields.height = static_cast<std::uint32_t>(height);
   }
 
-  /** Every value of an element, lists included, to \a take(row, property, value). */
-  template <typename Take>
-  void
-  readRows(const PLYElement& element, const Take& take)
-  {
-    Bytes value;
-    for (std::uint64_t row = 0; row < element.count; ++row)
-      for (std::size_t i = 0; i < element.properties.size(); ++i) {
-        const PLYProperty& property = element.properties[i];
-        std::uint64_t length = 1;
-        if (property.length_datatype != 0) {
-          readValue(element, row, property.length_datatype, value);
-          length = listLength(element, toDouble(value, property.length_datatype));
-        }
-        for (std::uint64_t k = 0; k < length; ++k) {
-          readValue(element, row, property.datatype, value);
-          take(row, i, value);
-        }
-      }
-  }
+  /** Where the values of a property go: to an offset in the points, or to a list, or
+   *  nowhere. */
+  struct Target {
+    std::int64_t offset = -1;
+    int list = -1;
+  };
 
-  std::uint64_t
-  listLength(const PLYElement& element, double length) const
-  {
-    if (length < 0.0)
-      fail("a list of element '", element.name, "' has ", length, " values");
-    return static_cast<std::uint64_t>(length);
-  }
-
-  void
-  readValue(const PLYElement& element,
-            std::uint64_t row,
-            std::uint8_t datatype,
-            Bytes& value)
-  {
-    const bool good =
-        isAscii() ? readText(datatype, value) : readBytes(datatype, value);
-    if (good)
-      return;
-    if (stream_.eof() && (!isAscii() || word_.empty()))
-      fail("is truncated: it ends in row ",
-           row + 1,
-           " of the ",
-           element.count,
-           " of element '",
-           element.name,
-           "'");
-    fail("'",
-         word_.substr(0, 32),
-         "' in row ",
-         row + 1,
-         " of element '",
-         element.name,
-         "' is no value of type ",
-         plyTypeName(datatype));
-  }
-
-  bool
-  readText(std::uint8_t datatype, Bytes& value)
-  {
-    word_.clear();
-    return stream_ >> word_ && parseValue(word_, datatype, value.data());
-  }
-
-  bool
-  readBytes(std::uint8_t datatype, Bytes& value)
-  {
-    const auto size = static_cast<std::ptrdiff_t>(sizeOf(datatype));
-    stream_.read(reinterpret_cast<char*>(value.data()), size);
-    if (header_.encoding == PLYHeader::Encoding::big_endian)
-      std::reverse(value.begin(), value.begin() + size);
-    return static_cast<bool>(stream_);
-  }
-
-  std::istream& stream_;
-  PLYHeader header_;
-  std::uint64_t body_size_;
+  const PLYHeader header_;
+  const std::uint64_t body_size_;
+  PLYRows rows_;
   LabelledCloud& cloud_;
-  std::vector<std::uint32_t> offsets_; ///< in a point, of each property
-  std::string word_;
+  std::vector<Target> targets_;
+  std::vector<VertexList> lists_;
 };
 
 } // namespace

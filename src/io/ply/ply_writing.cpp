@@ -7,6 +7,7 @@
  * Writing PLY files: vertices, and the pose where PCL looks for it.
  */
 
+#include "base/sentence.h"
 #include "fields/field_values.h"
 #include "ply_format.h"
 #include "ply_header.h"
@@ -26,52 +27,143 @@ namespace {
 /** One value of a vertex. */
 struct Property {
   std::string name;
-  std::uint8_t datatype;
-  std::uint32_t offset; ///< in a point
+  std::uint8_t datatype; ///< in the cloud
+  std::uint32_t offset;  ///< in a point
+
+  bool
+  isLongInteger() const
+  {
+    return plyTypeName(datatype) == nullptr;
+  }
+
+  /** PLY has no integers of 8 bytes. */
+  std::uint8_t
+  writtenType() const
+  {
+    return isLongInteger() ? std::uint8_t{pcl::PCLPointField::FLOAT64} : datatype;
+  }
 };
 
-void
-addColor(const pcl::PCLPointField& field, std::vector<Property>& properties)
-{
-  constexpr auto byte = std::uint8_t{pcl::PCLPointField::UINT8};
-  properties.push_back({"red", byte, field.offset + 2});
-  properties.push_back({"green", byte, field.offset + 1});
-  properties.push_back({"blue", byte, field.offset});
-  if (field.name == "rgba")
-    properties.push_back({"alpha", byte, field.offset + 3});
-}
-
-/** PLY's names of normals. */
-std::string
-propertyName(const std::string& field)
-{
-  if (field == "normal_x" || field == "normal_y" || field == "normal_z")
-    return "n" + field.substr(7);
-  return field;
-}
-
-std::vector<Property>
-propertiesOf(const LabelledCloud& cloud)
-{
-  std::vector<Property> properties;
-  for (const pcl::PCLPointField& field : cloud.fields.fields) {
-    const std::size_t size = sizeOf(field.datatype);
-    if ((field.name == "rgb" || field.name == "rgba") && size == 4) {
-      addColor(field, properties);
-      continue;
-    }
-    if (!plyTypeName(field.datatype))
-      throw CIDException(cloud.name +
-                         ": PLY has no type for the 8-byte integers of "
-                         "field '" +
-                         field.name + "'; write a .pcd file");
-    for (std::uint32_t k = 0; k < field.count; ++k)
-      properties.push_back(
-          {propertyName(field.name) + (field.count > 1 ? "_" + std::to_string(k) : ""),
-           field.datatype,
-           field.offset + static_cast<std::uint32_t>(k * size)});
+/** The properties of a cloud, under names that differ. */
+class Properties {
+public:
+  explicit Properties(const pcl::PCLPointCloud2& cloud) : cloud_(cloud)
+  {
+    for (const pcl::PCLPointField& field : cloud.fields)
+      add(field);
   }
-  return properties;
+
+  const std::vector<Property>&
+  all() const
+  {
+    return properties_;
+  }
+
+private:
+  bool
+  isTaken(const std::string& name) const
+  {
+    return findField(cloud_, name) != nullptr;
+  }
+
+  void
+  add(const pcl::PCLPointField& field)
+  {
+    if (isColor(field))
+      return addColor(field);
+    const std::string name = propertyName(field.name);
+    if (field.count == 1) {
+      properties_.push_back({name, field.datatype, field.offset});
+      return;
+    }
+    const std::string stem = stemOf(name, field.count);
+    const auto size = static_cast<std::uint32_t>(sizeOf(field.datatype));
+    for (std::uint32_t k = 0; k < field.count; ++k)
+      properties_.push_back(
+          {stem + std::to_string(k), field.datatype, field.offset + k * size});
+  }
+
+  /** What is written as red, green and blue, if these names are free. */
+  bool
+  isColor(const pcl::PCLPointField& field) const
+  {
+    return (field.name == "rgb" || field.name == "rgba") && field.count == 1 &&
+           sizeOf(field.datatype) == 4 &&
+           !isTaken(field.name == "rgb" ? "rgba" : "rgb") && !isTaken("red") &&
+           !isTaken("green") && !isTaken("blue") && !isTaken("alpha");
+  }
+
+  void
+  addColor(const pcl::PCLPointField& field)
+  {
+    constexpr auto byte = std::uint8_t{pcl::PCLPointField::UINT8};
+    properties_.push_back({"red", byte, field.offset + 2});
+    properties_.push_back({"green", byte, field.offset + 1});
+    properties_.push_back({"blue", byte, field.offset});
+    if (field.name == "rgba")
+      properties_.push_back({"alpha", byte, field.offset + 3});
+  }
+
+  /** PLY's names of normals. */
+  std::string
+  propertyName(const std::string& field) const
+  {
+    if (field != "normal_x" && field != "normal_y" && field != "normal_z")
+      return field;
+    const std::string name = "n" + field.substr(7);
+    return isTaken(name) ? field : name;
+  }
+
+  /** What the values of a field with several are called, before their numbers: as many
+   *  "_" after its name as keep them apart from all fields. */
+  std::string
+  stemOf(const std::string& name, std::uint32_t count) const
+  {
+    std::string stem = name;
+    bool collides = true;
+    while (collides) {
+      stem += '_';
+      collides = false;
+      for (std::uint32_t k = 0; k < count && !collides; ++k)
+        collides = isTaken(stem + std::to_string(k));
+    }
+    return stem;
+  }
+
+  const pcl::PCLPointCloud2& cloud_;
+  std::vector<Property> properties_;
+};
+
+/** \return whether double holds a whole number of 8 bytes exactly */
+bool
+isExactInDouble(const std::uint8_t* bytes, std::uint8_t datatype)
+{
+  return visitType(datatype, [&](auto type) {
+    using Value = decltype(type);
+    const auto value = loadValue<Value>(bytes);
+    const auto rounded = static_cast<long double>(static_cast<double>(value));
+    return rounded == static_cast<long double>(value);
+  });
+}
+
+void
+requireExact(const LabelledCloud& cloud, const Property& property)
+{
+  const std::uint8_t* value = cloud.fields.data.data() + property.offset;
+  for (std::size_t i = 0; i < cloud.size(); ++i, value += cloud.fields.point_step)
+    if (!isExactInDouble(value, property.datatype)) {
+      std::string text;
+      appendValue(value, property.datatype, text);
+      throw CIDException(
+          sentence(cloud.name,
+                   ": field '",
+                   property.name,
+                   "' of point ",
+                   i,
+                   " is ",
+                   text,
+                   "; PLY has no type that holds it; write a .pcd file"));
+    }
 }
 
 /** The camera element as PCL writes it: each property with its value. */
@@ -100,7 +192,7 @@ writeHeader(std::ostream& stream,
   stream << "ply\nformat " << (ascii ? "ascii" : "binary_little_endian") << " 1.0\n"
          << "element vertex " << cloud.size() << '\n';
   for (const Property& property : properties)
-    stream << "property " << plyTypeName(property.datatype) << ' ' << property.name
+    stream << "property " << plyTypeName(property.writtenType()) << ' ' << property.name
            << '\n';
   stream << "element camera 1\n";
   for (const auto& [name, value] : cameraOf(cloud))
@@ -142,8 +234,11 @@ writeBinary(std::ostream& stream,
   const std::uint8_t* point = cloud.fields.data.data();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     for (const Property& property : properties)
-      stream.write(reinterpret_cast<const char*>(point + property.offset),
-                   static_cast<std::streamsize>(sizeOf(property.datatype)));
+      if (property.isLongInteger())
+        writeValue(stream, toDouble(point + property.offset, property.datatype));
+      else
+        stream.write(reinterpret_cast<const char*>(point + property.offset),
+                     static_cast<std::streamsize>(sizeOf(property.datatype)));
     point += cloud.fields.point_step;
   }
   for (const auto& [name, value] : cameraOf(cloud))
@@ -157,15 +252,28 @@ writeBinary(std::ostream& stream,
 } // namespace
 
 void
+checkPLYCloud(const LabelledCloud& cloud,
+              const std::function<void(const std::string&)>& remark)
+{
+  const Properties properties(cloud.fields);
+  for (const Property& property : properties.all())
+    if (property.isLongInteger()) {
+      requireExact(cloud, property);
+      remark("field '" + property.name +
+             "' has integers of 8 bytes; a PLY holds them as double");
+    }
+}
+
+void
 writePLYCloud(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
 {
-  const std::vector<Property> properties = propertiesOf(cloud);
+  const Properties properties(cloud.fields);
   const bool ascii = encoding == CloudEncoding::ascii;
-  writeHeader(stream, cloud, properties, ascii);
+  writeHeader(stream, cloud, properties.all(), ascii);
   if (ascii)
-    writeAscii(stream, cloud, properties);
+    writeAscii(stream, cloud, properties.all());
   else
-    writeBinary(stream, cloud, properties);
+    writeBinary(stream, cloud, properties.all());
 }
 
 } // namespace pcl_cid

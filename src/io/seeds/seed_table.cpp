@@ -8,18 +8,21 @@
  */
 
 #include "base/sentence.h"
+#include "text/delimited_text.h"
+#include "text/file_reading.h"
 #include "text/numbers.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/seed_table.h>
 
-#include <cerrno>
-#include <cstring>
+#include <cctype>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <ostream>
+#include <set>
+#include <string_view>
 
 #include <Eigen/Geometry>
 
@@ -27,30 +30,6 @@ namespace pcl_cid {
 namespace {
 
 constexpr double coordinate_tolerance = 1e-3; // of the cloud's diagonal
-
-std::string
-trimmed(const std::string& text)
-{
-  constexpr const char* blanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string::npos)
-    return "";
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-std::vector<std::string>
-cellsOf(const std::string& line)
-{
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  for (std::size_t comma = line.find(','); comma != std::string::npos;
-       comma = line.find(',', begin)) {
-    cells.push_back(trimmed(line.substr(begin, comma - begin)));
-    begin = comma + 1;
-  }
-  cells.push_back(trimmed(line.substr(begin)));
-  return cells;
-}
 
 /** One row, as text; a column that is missing is empty. */
 struct Row {
@@ -61,71 +40,101 @@ struct Row {
 /** The table as text. */
 class Rows {
 public:
-  explicit Rows(const std::string& path) : path_(path), stream_(path)
+  explicit Rows(const std::string& path)
+  : path_(path), table_(readTextTable(textOf(path), path))
   {
-    if (!stream_)
-      throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
-    std::vector<std::string> header;
-    if (!nextCells(header))
+    if (table_.rows.empty())
       throw CIDException(path + ": is empty; it must have the columns "
                                 "index,x,y,z,label");
-    for (std::size_t i = 0; i < header.size(); ++i)
-      column_.emplace(header[i], i);
+    const TextRow& header = table_.rows.front();
+    for (std::size_t i = 0; i < header.cells.size(); ++i)
+      column_.emplace(header.cells[i], i);
     for (const char* const name : {"index", "label"})
       if (column_.count(name) == 0)
         throw CIDException(sentence(path,
                                     ": line ",
-                                    line_,
+                                    header.line,
                                     ": there is no column '",
                                     name,
                                     "'; the header must be index,x,y,z,label"));
   }
 
-  bool
-  next(Row& row)
+  std::vector<Row>
+  all() const
   {
-    std::vector<std::string> cells;
-    if (!nextCells(cells))
-      return false;
-    const auto cell = [&](const char* name) {
-      const auto found = column_.find(name);
-      return found == column_.end() || found->second >= cells.size()
-                 ? std::string()
-                 : cells[found->second];
-    };
-    row = {line_, cell("index"), cell("x"), cell("y"), cell("z"), cell("label")};
-    return true;
+    std::vector<Row> rows;
+    for (auto row = table_.rows.begin() + 1; row != table_.rows.end(); ++row)
+      rows.push_back({row->line,
+                      cell(*row, "index"),
+                      cell(*row, "x"),
+                      cell(*row, "y"),
+                      cell(*row, "z"),
+                      cell(*row, "label")});
+    return rows;
+  }
+
+  const TextTable&
+  text() const
+  {
+    return table_;
   }
 
 private:
-  /** The next line that is not blank. */
-  bool
-  nextCells(std::vector<std::string>& cells)
+  std::string
+  cell(const TextRow& row, const char* name) const
   {
-    std::string line;
-    while (std::getline(stream_, line)) {
-      if (++line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
-        line.erase(0, 3); // byte order mark
-      if (line.find_first_not_of(" \t\r,") == std::string::npos)
-        continue;
-      cells = cellsOf(line);
-      return true;
-    }
-    return false;
+    const auto found = column_.find(name);
+    return found == column_.end() || found->second >= row.cells.size()
+               ? std::string()
+               : row.cells[found->second];
   }
 
   std::string path_;
-  std::ifstream stream_;
-  std::size_t line_ = 0;
+  TextTable table_;
   std::map<std::string, std::size_t> column_;
 };
+
+/** \return whether a label is the name of a class, no number that is none */
+bool
+isName(const std::string& label)
+{
+  return std::isdigit(static_cast<unsigned char>(label.front())) == 0 &&
+         std::string_view("+-.").find(label.front()) == std::string_view::npos &&
+         !parseNumber<double>(label);
+}
+
+/** Numbers for the names of classes, in the order in which they come: 1, 2, ... without
+ *  those that are labels already. */
+std::map<std::string, std::uint32_t>
+numbersOfNames(const std::vector<Row>& rows)
+{
+  std::set<std::uint32_t> taken;
+  for (const Row& row : rows)
+    if (const auto label = parseLoosely<std::uint32_t>(row.label))
+      taken.insert(*label);
+  std::map<std::string, std::uint32_t> numbers;
+  std::uint32_t next = 1;
+  for (const Row& row : rows) {
+    if (row.label.empty() || !isName(row.label) || numbers.count(row.label) > 0)
+      continue;
+    while (taken.count(next) > 0)
+      ++next;
+    numbers[row.label] = next++;
+  }
+  return numbers;
+}
 
 /** Checks rows against the cloud and gathers the seeds. */
 class SeedReading {
 public:
-  SeedReading(const std::string& path, const CloudPoints& points)
-  : path_(path), points_(points)
+  SeedReading(const std::string& path, const Rows& rows, const CloudPoints& points)
+  : path_(path)
+  , text_(rows.text())
+  , points_(points)
+  , number_of_name_(numbersOfNames(rows.all()))
   {
+    for (const auto& [name, number] : number_of_name_)
+      table_.names[number] = name;
     Eigen::AlignedBox3f box;
     for (const pcl::PointXYZ& point : *points.points)
       if (point.getVector3fMap().allFinite())
@@ -184,7 +193,7 @@ private:
   pcl::index_t
   indexOf(const Row& row) const
   {
-    const auto index = parseNumber<std::int64_t>(row.index);
+    const auto index = parseLoosely<std::int64_t>(row.index);
     const std::size_t count = points_.points->size();
     if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= count)
       fail(row,
@@ -205,12 +214,16 @@ private:
   std::uint32_t
   labelOf(const Row& row) const
   {
-    const auto label = parseNumber<std::uint32_t>(row.label);
+    if (const auto named = number_of_name_.find(row.label);
+        named != number_of_name_.end())
+      return named->second;
+    const auto label = parseLoosely<std::uint32_t>(row.label);
     if (!label)
       fail(row,
            "the label is '",
            row.label,
-           "'; it must be a whole number, 0 to 4294967295, or empty");
+           "'; it must be a whole number, 0 to 4294967295, the name of a class, or "
+           "empty");
     return *label;
   }
 
@@ -224,7 +237,7 @@ private:
     int axis = 0;
     for (const std::string* const text : {&row.x, &row.y, &row.z}) {
       if (!text->empty()) {
-        const auto value = parseNumber<double>(*text);
+        const auto value = text_.number(*text);
         if (!value)
           fail(row, "the ", "xyz"[axis], " is '", *text, "'; it must be a number");
         const double rounding =
@@ -252,7 +265,9 @@ private:
   }
 
   std::string path_;
+  const TextTable& text_;
   const CloudPoints& points_;
+  const std::map<std::string, std::uint32_t> number_of_name_;
   double tolerance_ = 0.0;
   std::map<pcl::index_t, Labelled> first_;
   SeedTable table_;
@@ -287,9 +302,9 @@ writeSeedTable(std::ostream& stream,
 SeedTable
 readSeedTable(const std::string& path, const CloudPoints& points)
 {
-  Rows rows(path);
-  SeedReading reading(path, points);
-  for (Row row; rows.next(row);)
+  const Rows rows(path);
+  SeedReading reading(path, rows, points);
+  for (const Row& row : rows.all())
     reading.take(row);
   return reading.table();
 }
@@ -300,8 +315,8 @@ holdsLabels(const std::string& path)
   if (!std::ifstream(path))
     return false;
   try {
-    Rows rows(path);
-    for (Row row; rows.next(row);)
+    const Rows rows(path);
+    for (const Row& row : rows.all())
       if (!row.label.empty())
         return true;
   }

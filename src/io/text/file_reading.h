@@ -34,6 +34,26 @@ sizeOfFile(const std::string& path);
 std::uint64_t
 bytesLeft(std::istream& stream, std::uint64_t size);
 
+/** \brief What ends the lines of a text: '\r' where that stands alone, as older
+ *  programs write it, else '\n'.
+ *  \param[in] stream at its beginning; it is there again afterwards */
+char
+lineEndOf(std::istream& stream);
+
+/** \brief Pass over the byte order mark of UTF-8, if there is one.
+ *  \param[in] stream at its beginning */
+void
+passByteOrderMark(std::istream& stream);
+
+/** \brief Read a line of a header, without its end.
+ *  \return whether there was one
+ *  \throws CIDException that names the file when a line is longer than any header's */
+bool
+readHeaderLine(std::istream& stream,
+               char line_end,
+               const std::string& name,
+               std::string& line);
+
 /** \brief All bytes of a file.
  *  \throws CIDException when it cannot be read to its end */
 std::string

@@ -27,12 +27,16 @@ class JsonReading {
 public:
   explicit JsonReading(const std::string& path) : path_(path)
   {
+    const std::string text = textOf(path);
     try {
-      root_ = nlohmann::json::parse(textOf(path));
+      root_ = nlohmann::json::parse(text, requireShallow);
     }
     catch (const nlohmann::json::parse_error& error) {
       throw CIDException(
           sentence(path, ": offset ", error.byte - 1, ": is no valid JSON"));
+    }
+    catch (const CIDException& error) {
+      throw CIDException(path + ": " + error.what());
     }
     catch (const nlohmann::json::exception& error) {
       throw CIDException(path + ": is no JSON that can be read: " + error.what());
@@ -99,6 +103,19 @@ public:
   }
 
 private:
+  /** Deep ones are no scans, and what walks through them calls itself as deep. */
+  static bool
+  requireShallow(int depth, nlohmann::json::parse_event_t, const nlohmann::json&)
+  {
+    constexpr int deepest = 64;
+    if (depth > deepest)
+      throw CIDException(
+          sentence("is no JSON that can be read: it is nested more than ",
+                   deepest,
+                   " levels deep"));
+    return true;
+  }
+
   static std::string
   inside(const std::string& where, const std::string& key)
   {

@@ -10,11 +10,14 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 
 namespace pcl_cid {
 
@@ -32,6 +35,30 @@ parseNumber(std::string_view text)
   if (error != std::errc() || rest != end)
     return std::nullopt;
   return number;
+}
+
+/** \brief The same for data of other programs, which write a whole number as 3.0, and
+ *  numbers that are too small for the type: these are rounded. */
+template <typename Number>
+std::optional<Number>
+parseLoosely(std::string_view text)
+{
+  if (const auto number = parseNumber<Number>(text))
+    return number;
+  const auto wide = parseNumber<long double>(text); // holds all integers of 64 bits
+  if (!wide)
+    return std::nullopt;
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (!(std::abs(*wide) < 1))
+      return std::nullopt;
+  }
+  else {
+    using Limits = std::numeric_limits<Number>;
+    if (!(*wide >= Limits::min() && *wide <= static_cast<long double>(Limits::max())) ||
+        std::floor(*wide) != *wide)
+      return std::nullopt;
+  }
+  return static_cast<Number>(*wide);
 }
 
 /** \brief Append the shortest text that gives the same bits again. */

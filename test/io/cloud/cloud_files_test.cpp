@@ -259,19 +259,5 @@ TEST(PLYFile, ReadsMeshesOfAllEncodings)
   }
 }
 
-TEST(PLYFile, RefusesTypesThatItHasNot)
-{
-  LabelledCloud cloud = extremes();
-  appendField<std::uint64_t>("stamp", {1, 2, 3, 4}, cloud.fields);
-  const TemporaryFolder folder;
-  try {
-    saveCloud(folder.file("wide.ply"), cloud, ply_binary);
-    FAIL() << "8-byte integers must be refused";
-  }
-  catch (const CIDException& error) {
-    EXPECT_NE(std::string(error.what()).find("stamp"), std::string::npos);
-  }
-}
-
 } // namespace
 } // namespace pcl_cid::test

@@ -284,6 +284,23 @@ TEST_F(ScannetScan, RefusesJSONOfAnotherShape)
       "segGroups[0].segments[] is [1]" + whole);
 }
 
+/// What walks through it calls itself as deep: 150 kB of brackets overflowed the stack.
+TEST_F(ScannetScan, RefusesJsonThatIsNestedDeeply)
+{
+  for (const std::string& path : {segments_, aggregation_})
+    for (const std::string& opening : {std::string("["), std::string("{\"a\":")}) {
+      const std::string whole = readText(path);
+      std::string deep = "{\"segIndices\": ";
+      for (int i = 0; i < 150000; ++i)
+        deep += opening;
+      writeText(path, deep);
+      EXPECT_EQ(complaint(),
+                path + ": is no JSON that can be read: it is nested more than "
+                       "64 levels deep");
+      writeText(path, whole);
+    }
+}
+
 TEST_F(ScannetScan, ReadsTablesOfWindowsAndRefusesBrokenOnes)
 {
   const std::string rows = "1\twall\twall\t1\n5\toffice chair\tchair\t5\n";

@@ -11,6 +11,9 @@
 
 #include <cstring>
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace pcl_cid::test {
@@ -53,9 +56,68 @@ TEST(ColorsOf, NamesTheFieldsThatThereAre)
   }
   catch (const CIDException& error) {
     EXPECT_STREQ(error.what(),
-                 "three.pcd: has no colors, in a field 'rgb' or 'rgba'; its fields "
-                 "are x, y, z");
+                 "three.pcd: has no colors, in a field 'rgb' or 'rgba', or in fields "
+                 "'red', 'green' and 'blue'; its fields are x, y, z");
   }
+}
+
+template <typename Value>
+LabelledCloud
+withChannels(const std::vector<std::string>& names,
+             const std::vector<Value>& red,
+             const std::vector<Value>& green,
+             const std::vector<Value>& blue)
+{
+  LabelledCloud cloud = threePoints();
+  appendField(names[0], red, cloud.fields);
+  appendField(names[1], green, cloud.fields);
+  appendField(names[2], blue, cloud.fields);
+  return cloud;
+}
+
+/// The third point is not finite, so its color does not matter.
+void
+expectChannels(const LabelledCloud& cloud)
+{
+  const std::vector<ColorRGB> colors = colorsOf(cloud);
+  ASSERT_EQ(colors.size(), 3u);
+  EXPECT_EQ(colors[0].r, 255);
+  EXPECT_EQ(colors[0].g, 0);
+  EXPECT_EQ(colors[0].b, 51);
+  EXPECT_EQ(colors[1].r, 0);
+  EXPECT_EQ(colors[1].g, 255);
+  EXPECT_EQ(colors[1].b, 102);
+}
+
+TEST(ColorsOf, MayStandInThreeFieldsOfAnyType)
+{
+  const float nan = std::nanf("");
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"r", "g", "b"},
+        {"Red", "Green", "Blue"},
+        {"red", "green", "blue"},
+        {"diffuse_red", "diffuse_green", "diffuse_blue"}}) {
+    expectChannels(
+        withChannels<std::uint8_t>(names, {255, 0, 9}, {0, 255, 9}, {51, 102, 9}));
+    expectChannels(withChannels<std::uint16_t>(
+        names, {65535, 0, 9}, {0, 65535, 9}, {13107, 26214, 9}));
+    expectChannels(
+        withChannels<float>(names, {1, 0, nan}, {0, 1, nan}, {0.2f, 0.4f, nan}));
+    expectChannels(
+        withChannels<double>(names, {255, 0, -9}, {0, 255, 1e9}, {51, 102, nan}));
+    expectChannels(
+        withChannels<std::int32_t>(names, {255, 0, -9}, {0, 255, 999}, {51, 102, 9}));
+  }
+}
+
+TEST(ColorsOf, RefusesChannelsOutOfRange)
+{
+  const float inf = std::numeric_limits<float>::infinity();
+  for (const float bad : {-0.5f, 256.0f, inf, -inf, std::nanf("")})
+    EXPECT_THROW(colorsOf(withChannels<float>(
+                     {"r", "g", "b"}, {1, bad, 0}, {0, 0, 0}, {0, 0, 0})),
+                 CIDException)
+        << bad;
 }
 
 TEST(ColorsOf, RefusesOtherSizes)

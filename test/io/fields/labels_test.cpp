@@ -66,15 +66,39 @@ TEST(HasField, IsAboutTheWholeName)
 
 TEST(LabelsOf, RefusesWhatIsNoLabel)
 {
-  EXPECT_NE(complaintAbout<std::int8_t>(-1).find("point 1 is -1"), std::string::npos);
+  EXPECT_NE(complaintAbout<std::int8_t>(-2).find("point 1 is -2"), std::string::npos);
   EXPECT_NE(complaintAbout<std::int32_t>(-7).find("is -7"), std::string::npos);
   EXPECT_NE(complaintAbout(1.5f).find("is 1.5"), std::string::npos);
-  EXPECT_NE(complaintAbout(std::nan("")).find("nan"), std::string::npos);
   EXPECT_NE(complaintAbout(4294967296.0), "");
   EXPECT_NE(complaintAbout(std::numeric_limits<float>::infinity()), "");
   EXPECT_NE(complaintAbout(std::uint64_t{4294967296}), "");
   EXPECT_EQ(complaintAbout(std::uint64_t{4294967295}), "");
   EXPECT_EQ(complaintAbout(4294967295.0), "");
+}
+
+template <typename Value>
+void
+expectNone(Value none)
+{
+  LabelledCloud cloud = threePoints();
+  appendField<Value>("truth", {none, 7, none}, cloud.fields);
+  std::vector<std::string> remarks;
+  EXPECT_EQ(labelsOf(cloud,
+                     "truth",
+                     pointsOf(cloud),
+                     [&](const std::string& text) { remarks.push_back(text); }),
+            (std::vector<std::uint32_t>{0, 7, 0}));
+  EXPECT_EQ(remarks,
+            std::vector<std::string>{"three.pcd: field 'truth' is -1 or NaN for 1 "
+                                     "point; taken as label 0"});
+}
+
+TEST(LabelsOf, TakesMinusOneAndNaNForNone)
+{
+  expectNone<std::int8_t>(-1);
+  expectNone<std::int64_t>(-1);
+  expectNone(-1.0f);
+  expectNone(std::nan(""));
 }
 
 TEST(LabelsOf, AcceptsAnythingAtInvalidPoints)

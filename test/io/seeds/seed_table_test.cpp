@@ -100,6 +100,47 @@ TEST_F(SeedTableTest, IsReadHoweverSpreadsheetsWriteIt)
   EXPECT_EQ(table.labels, (std::vector<std::uint32_t>{3, 4294967295u}));
 }
 
+std::string
+inUTF16(const std::string& text, bool is_big_endian)
+{
+  std::string bytes = is_big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : text)
+    bytes += is_big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  return bytes;
+}
+
+TEST_F(SeedTableTest, MayBeSeparatedAndEncodedInAnyWay)
+{
+  const std::string semicolons = "index;x;label\n1;0,1;3.0\n\"2\";10;\"5\"\n";
+  const std::string tabs = "index\tx\tlabel\n1\t0.1\t3\n2\t\t5\n";
+  const std::string named = "sep=;\nindex;label\n1;3\n2;5\n";
+  const std::string quoted = "note,index,label\n\"a \"\"b\"\",\nc\",1,3\n,2.0,5\n";
+  for (const std::string& text : {semicolons, tabs, named, quoted})
+    for (const char* const end : {"\n", "\r", "\r\n"}) {
+      std::string lines;
+      for (const char c : text)
+        lines += c == '\n' ? std::string(end) : std::string{c};
+      for (const std::string& encoded : {lines,
+                                         "\xEF\xBB\xBF" + lines,
+                                         inUTF16(lines, false),
+                                         inUTF16(lines, true)}) {
+        const SeedTable table = read(encoded);
+        EXPECT_EQ(table.seeds, (pcl::Indices{1, 2})) << lines;
+        EXPECT_EQ(table.labels, (std::vector<std::uint32_t>{3, 5})) << lines;
+      }
+    }
+  EXPECT_NE(complaint("index,label\n\"1,3\n").find("line 2: quotes do not end"),
+            std::string::npos);
+}
+
+TEST_F(SeedTableTest, MayNameClassesInsteadOfLabels)
+{
+  const SeedTable table = read("index,label\n1,office chair\n0,1\n2,office chair\n");
+  EXPECT_EQ(table.seeds, (pcl::Indices{1, 0, 2}));
+  EXPECT_EQ(table.labels, (std::vector<std::uint32_t>{2, 1, 2}));
+  EXPECT_EQ(table.names, (std::map<std::uint32_t, std::string>{{2, "office chair"}}));
+}
+
 TEST_F(SeedTableTest, CountsARepeatedSeedOnce)
 {
   EXPECT_EQ(read("index,label\n1,5\n1,5\n1,\n").seeds, pcl::Indices{1});
@@ -112,13 +153,13 @@ TEST_F(SeedTableTest, NamesLineAndValueOfWhatIsWrong)
             ": line 3: the index is '4'; it must be a whole number, 0 to 3");
   EXPECT_EQ(complaint(header + "-1,,,,1\n"),
             ": line 2: the index is '-1'; it must be a whole number, 0 to 3");
-  for (const char* const index : {"", "one", "1.0", "1x", "99999999999999999999"})
+  for (const char* const index : {"", "one", "1.5", "1x", "99999999999999999999"})
     EXPECT_NE(complaint(header + index + ",0,,,1\n").find("the index is '"),
               std::string::npos)
         << index;
-  EXPECT_EQ(complaint(header + "0,,,,chair\n"),
-            ": line 2: the label is 'chair'; it must be a whole number, 0 to "
-            "4294967295, or empty");
+  EXPECT_EQ(complaint(header + "0,,,,-1\n"),
+            ": line 2: the label is '-1'; it must be a whole number, 0 to "
+            "4294967295, the name of a class, or empty");
   for (const char* const label : {"-1", "1.5", "4294967296", "nan", "0x1"})
     EXPECT_NE(complaint(header + "0,,,," + label).find(label), std::string::npos);
   EXPECT_EQ(complaint(header + "1,,,,1\n0,,,,1\n1,,,,2\n"),
@@ -148,7 +189,7 @@ TEST_F(SeedTableTest, NeedsItsColumnsAndALabel)
   EXPECT_NE(complaint("0,0,0,0,1\n").find("no column 'index'"), std::string::npos);
   EXPECT_NE(complaint("index,x,y,z\n0,0,0,0\n").find("no column 'label'"),
             std::string::npos);
-  EXPECT_NE(complaint("index;label\n0;1\n").find("no column 'index'"),
+  EXPECT_NE(complaint("index|label\n0|1\n").find("no column 'index'"),
             std::string::npos);
   EXPECT_NE(complaint("index,x,y,z,label\n0,0,0,0,\n").find("no label is filled in"),
             std::string::npos);

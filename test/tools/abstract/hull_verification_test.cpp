@@ -89,6 +89,7 @@ protected:
     for (const Eigen::Vector3d& point : scene_.points)
       all.push_back(point.cast<float>());
     points_.points = toCloud(all);
+    cloud_ = toLabelledCloud(*points_.points);
     description_.origin = Eigen::Vector3d(1.0, 2.0, 3.0);
   }
 
@@ -137,7 +138,7 @@ protected:
   tools::Verification
   verification() const
   {
-    return {scene_.parts, points_, options_};
+    return {scene_.parts, points_, FileCoordinates(cloud_), options_};
   }
 
   static std::string
@@ -169,6 +170,7 @@ protected:
   TemporaryFolder folder_;
   PartScene scene_;
   CloudPoints points_;
+  LabelledCloud cloud_;
   SceneDescription description_;
   ConvexPartOptions options_;
 };

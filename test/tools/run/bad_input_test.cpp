@@ -116,7 +116,7 @@ TEST_F(BadInput, InTheSeedTableIsRefused)
   expectTableRefused("1200,,,,1\n", {"line 2", "'1200'", "0 to 1199"});
   expectTableRefused("-3,,,,1\n", {"line 2", "'-3'"});
   expectTableRefused("5,,,,1\n6,,,,1\n5,,,,2\n", {"line 4", "label 2", "label 1"});
-  expectTableRefused("5,,,,chair\n", {"line 2", "'chair'"});
+  expectTableRefused("5,,,,1.5\n", {"line 2", "'1.5'"});
   expectTableRefused("five,,,,1\n", {"line 2", "'five'"});
   expectTableRefused("5,,,,-1\n", {"line 2", "'-1'"});
   expectTableRefused("7,,,,1\n", {"line 2", "7", "not finite"});
