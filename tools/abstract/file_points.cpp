@@ -63,14 +63,16 @@ cover(const std::vector<Eigen::Vector3d>& in_file,
       ConvexPartOptions options,
       ConvexPart& part)
 {
-  constexpr int attempts = 8;
+  constexpr int attempts = 10;
   const pcl::Indices members = positionsOf(part.indices, points);
   const pcl::Indices trimmed = std::move(part.trimmed);
   options.trim_distance = 0.0; // what was astray is no longer among the points
   double missing = excessOf(part.hull, in_file);
-  for (int i = 0; i < attempts && missing > unnoticed_rounding; ++i) {
-    // A hull of this size may miss its points by a share of it, whatever the padding.
-    options.padding += 2.0 * missing;
+  // A hull may miss its points by hull_tolerance of its size, which padding must
+  // exceed.
+  double more = std::max(2.0 * missing, 0.01 * hull_tolerance * diagonalOf(part.hull));
+  for (int i = 0; i < attempts && missing > unnoticed_rounding; ++i, more *= 2.0) {
+    options.padding += more;
     part = makeConvexPart(points, members, options);
     missing = excessOf(part.hull, in_file);
   }
