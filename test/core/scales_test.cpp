@@ -9,6 +9,7 @@
 
 #include "clouds.h"
 #include "hulls.h"
+#include "oracle.h"
 #include "prepared_points.h"
 #include "seeds_on_points.h"
 
@@ -210,12 +211,28 @@ expectAgreesWithAllPairs(const Points& surface, const Points& points)
 
 TEST(Scales, TinyClustersOfLargeCloudsAgreeWithAllPairs)
 {
-  for (int e = -40; e > -150; e -= 2)
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+  for (int e = -40; e > -150; e -= 5)
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
       SCOPED_TRACE(std::to_string(e) + " " + std::to_string(seed));
       const Points points = withATinyCluster(std::ldexp(1.0f, e), seed);
       expectAgreesWithAllPairs(points, points);
       expectAgreesWithAllPairs({points.begin() + 60, points.end()}, points);
+    }
+}
+
+/** As a subsample may be, though the whole cloud is refused. */
+TEST(Scales, TinyCloudsAgreeWithAllPairs)
+{
+  for (int e = -54; e > -150; e -= 3)
+    for (const std::size_t count : {2u, 40u}) {
+      SCOPED_TRACE(std::to_string(e) + " " + std::to_string(count));
+      const Points points = scaled(randomCube(count, 81), e);
+      const DistanceField field(points);
+      SeedProposalOptions options;
+      options.seeds = 8;
+      options.samples = 16;
+      expectSameProposal(proposeSeeds(field, points, 0, options),
+                         proposeByAllPairs(field, points, 0, options));
     }
 }
 

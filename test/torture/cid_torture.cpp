@@ -10,13 +10,19 @@
 
 #include "torture_checks.h"
 
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <string>
 
 #include <pcl/console/print.h>
+
+#include <unistd.h>
 
 namespace pcl_cid::test {
 namespace {
@@ -27,15 +33,13 @@ constexpr const char* usage =
     "  --cases N    how many cases (1000)\n"
     "  --seconds S  stop after so long (0: never)\n"
     "  --case N     this case alone, and print it\n"
-    "  --verbose    print the number of each case first: the last one has crashed\n"
-    "Exit code 1 where something does not hold.\n";
+    "Exit code 1 where something does not hold. A crash names its case.\n";
 
 struct Request {
   std::uint64_t first = 1;
   std::uint64_t cases = 1000;
   double seconds = 0.0;
   bool prints = false;
-  bool verbose = false;
 };
 
 /** \return false where the arguments are not understood */
@@ -44,10 +48,6 @@ read(int argc, char** argv, Request& request)
 {
   for (int i = 1; i < argc; ++i) {
     const std::string option = argv[i];
-    if (option == "--verbose") {
-      request.verbose = true;
-      continue;
-    }
     if (i + 1 == argc)
       return false;
     char* end = nullptr;
@@ -71,6 +71,27 @@ read(int argc, char** argv, Request& request)
   return true;
 }
 
+/** What a crash prints; static, as a signal handler can take nothing along. */
+std::array<char, 64> last_words = {};
+
+void
+nameCase(std::uint64_t number)
+{
+  std::snprintf(last_words.data(),
+                last_words.size(),
+                "FAULT: crash, --case %llu\n",
+                static_cast<unsigned long long>(number));
+}
+
+void
+say(int signal)
+{
+  const auto written =
+      write(STDERR_FILENO, last_words.data(), std::strlen(last_words.data()));
+  std::signal(signal, SIG_DFL);
+  std::raise(written < 0 ? SIGABRT : signal);
+}
+
 /** \return how many cases have a fault */
 std::uint64_t
 torture(const Request& request)
@@ -84,14 +105,17 @@ torture(const Request& request)
     const std::chrono::duration<double> passed = Clock::now() - begin;
     if (request.seconds > 0.0 && passed.count() > request.seconds)
       break;
-    if (request.verbose)
-      std::cout << "case " << request.first + n << std::endl;
     const TortureCase one(request.first + n);
+    nameCase(one.number);
+    if (request.prints)
+      std::cout << one << std::endl; // it may crash
     const TortureVerdict verdict = judge(one);
     refused += verdict.refusal.empty() ? 0 : 1;
+    if (!verdict.fault.empty() && !request.prints)
+      std::cout << one;
     if (!verdict.fault.empty() || request.prints)
-      std::cout << one << (verdict.fault.empty() ? "all holds " : "FAULT: ")
-                << verdict.fault << verdict.refusal << std::endl;
+      std::cout << (verdict.fault.empty() ? "all holds " : "FAULT: ") << verdict.fault
+                << verdict.refusal << std::endl;
     faults += verdict.fault.empty() ? 0 : 1;
   }
   std::cout << n << " cases, " << refused << " refused, " << faults << " with a fault"
@@ -107,6 +131,8 @@ main(int argc, char** argv)
 {
   using namespace pcl_cid::test;
   pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
+  for (const int signal : {SIGABRT, SIGSEGV, SIGFPE})
+    std::signal(signal, say);
   Request request;
   if (!read(argc, argv, request)) {
     std::cerr << usage;

@@ -292,7 +292,7 @@ TortureCase::TortureCase(std::uint64_t case_number) : number(case_number)
     indices = pcl::make_shared<pcl::Indices>(drawIndices(count, dice));
   preparation = drawPreparation(count, size, dice);
   seeds = dice.between(1, 10);
-  coverage = dice.oneIn(4) ? size * dice.magnitude(-10, 0) : 0.0f;
+  coverage = dice.oneIn(4) ? std::max(size * dice.magnitude(-10, 0), 1e-37f) : 0.0f;
   samples = dice.between(2, dice.oneIn(2) ? 6 : 33);
   seeding = dice.oneIn(3) ? SeedingRule::soft : SeedingRule::farthest;
   cut = drawCut(size, dice);

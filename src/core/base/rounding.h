@@ -27,9 +27,11 @@ constexpr float norm_widening = 1.000002f;
 constexpr float norm_narrowing = 0.999998f;
 
 /** \brief What a distance loses where float cannot hold its square: each of three
- *  squares is off by up to 2^-150, half the smallest number above 0, and so their root
- * by up to 1.8 * 2^-75. Bounds of distances are made of a few such roots. */
-constexpr float of_lost_squares = 0x1p-70f;
+ *  squares is off by up to 2^-150, half the smallest number above 0, and their root by
+ * up to 1.8 * 2^-75; Eigen takes the roots of many numbers at a time, and what is below
+ *  2^-126, the smallest normal one, for 0: 2^-63. Bounds are made of a few such roots.
+ */
+constexpr float of_lost_squares = 0x1p-60f;
 
 /** \brief How far a sample p + t (q - p), computed in float, can be from the true one,
  *  no coordinate of p and q being larger than \a largest: on each axis the difference
