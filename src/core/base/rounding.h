@@ -26,11 +26,10 @@ constexpr float widening = 1.00001f;
 constexpr float norm_widening = 1.000002f;
 constexpr float norm_narrowing = 0.999998f;
 
-/** \brief What a distance loses where float cannot hold its square: each of three
- *  squares is off by up to 2^-150, half the smallest number above 0, and their root by
- * up to 1.8 * 2^-75; Eigen takes the roots of many numbers at a time, and what is below
- *  2^-126, the smallest normal one, for 0: 2^-63. Bounds are made of a few such roots.
- */
+/** \brief What a distance loses where float cannot hold its square. Three squares, each
+ *  off by up to 2^-150 (half the smallest number above 0), move their root by less than
+ *  2^-74. Eigen, which takes many roots at a time, takes what is below the smallest
+ *  normal number for 0: 2^-63. Bounds are made of a few such roots. */
 constexpr float of_lost_squares = 0x1p-60f;
 
 /** \brief How far a sample p + t (q - p), computed in float, can be from the true one,
