@@ -36,7 +36,7 @@ constexpr float of_lost_squares = 0x1p-60f;
  *  no coordinate of p and q being larger than \a largest: on each axis the difference
  *  is off by 1 epsilon of it, the product by 2, the sum by 1; that is less than 7
  *  epsilon in three dimensions, and there is as much again for the distance that is
- * then taken. */
+ *  then taken. */
 constexpr float
 ofSample(float largest)
 {
