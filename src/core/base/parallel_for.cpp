@@ -16,6 +16,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <sys/mman.h>
 
 namespace pcl_cid {
 namespace {
@@ -28,6 +29,36 @@ makeOfProcess()
   of_process = new Helpers(
       [](std::function<void()> help) { std::thread(std::move(help)).detach(); });
 }
+
+/** Address space that the stacks of helpers cannot take, so that where it is limited
+ * some is left for the work. Nobody touches it, so it costs nothing. */
+class Reserve {
+public:
+  Reserve()
+  : begin_(mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0))
+  {
+  }
+
+  ~Reserve()
+  {
+    if (isThere())
+      munmap(begin_, bytes);
+  }
+
+  bool
+  isThere() const
+  {
+    return begin_ != MAP_FAILED;
+  }
+
+  Reserve(const Reserve&) = delete;
+  Reserve&
+  operator=(const Reserve&) = delete;
+
+private:
+  static constexpr std::size_t bytes = std::size_t{256} << 20;
+  void* begin_;
+};
 
 } // namespace
 
@@ -87,8 +118,12 @@ Helpers::startMissing()
   std::size_t wanted = 0;
   for (const Job* job : jobs_)
     wanted += job->wanted;
+  const auto isMissing = [&] { return started_ < most_ && started_ - busy_ < wanted; };
+  if (!isMissing())
+    return;
+  const Reserve reserve;
   try {
-    while (started_ < most_ && started_ - busy_ < wanted) {
+    while (reserve.isThere() && isMissing()) {
       start_([this] { help(); });
       ++started_;
     }

@@ -145,5 +145,22 @@ TEST_F(LackOfMemory, OrOfThreadsChangesNothing)
   }
 }
 
+TEST_F(LackOfMemory, OfWhichThreadsWouldTakeAllLeavesEnoughForTheWork)
+{
+  ASSERT_EQ(runWith({}, segmenting("1")).exit_code, 0);
+  const Files expected = takeFiles();
+  for (const char* const kilobytes : {"1000000", "1500000", "2000000"}) {
+    Arguments words{"-c",
+                    std::string("ulimit -v ") + kilobytes + "; exec \"$@\"",
+                    "sh",
+                    PCL_CID_TOOL_DIR "/pcl_cid_segment"};
+    const Arguments command = segmenting("1024");
+    words.insert(words.end(), command.begin() + 1, command.end());
+    const ToolRun done = run("/bin/sh", words);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_TRUE(takeFiles() == expected) << kilobytes;
+  }
+}
+
 } // namespace
 } // namespace pcl_cid::test
