@@ -73,10 +73,24 @@ TemporaryFolder::names() const
   return names;
 }
 
+namespace {
+
+/** A new file: some file systems flush one that is written over. */
+std::ofstream
+newFile(const std::string& path)
+{
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error))
+    std::filesystem::remove(path, error);
+  return std::ofstream(path, std::ios::binary);
+}
+
+} // namespace
+
 void
 writeText(const std::string& path, const std::string& text)
 {
-  std::ofstream stream(path, std::ios::binary);
+  std::ofstream stream = newFile(path);
   stream << text;
   stream.close();
   if (!stream)
@@ -180,7 +194,7 @@ saveCloud(const std::string& path,
           const LabelledCloud& cloud,
           const CloudLayout& layout)
 {
-  std::ofstream stream(path, std::ios::binary);
+  std::ofstream stream = newFile(path);
   writeCloud(stream, cloud, layout);
   stream.close();
   if (!stream)

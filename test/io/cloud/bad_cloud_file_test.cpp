@@ -238,8 +238,6 @@ protected:
   bool
   isRead(const std::string& content)
   {
-    // A new file each time: some file systems flush one that is written over.
-    std::filesystem::remove(path_);
     writeText(path_, content);
     try {
       const LabelledCloud cloud = readCloud(path_);
