@@ -18,6 +18,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -103,7 +104,7 @@ orientOutward(TriangleMesh& mesh)
 /** A run of qhull, whose memory goes with it. */
 class Qhull {
 public:
-  Qhull() { qh_zero(&state_, stderr); }
+  Qhull() { qh_zero(&state_, messages()); }
 
   ~Qhull()
   {
@@ -125,7 +126,7 @@ public:
     char command[] = "qhull ";
     const int count = static_cast<int>(coordinates.size() / 3);
     int error = qh_new_qhull(
-        &state_, 3, count, coordinates.data(), False, command, nullptr, stderr);
+        &state_, 3, count, coordinates.data(), False, command, nullptr, messages());
     if (error == 0)
       error = triangulate(&state_);
     if (error == qh_ERRmem)
@@ -175,6 +176,15 @@ private:
     return error;
   }
 
+  /** Where its explanations go: to nobody. */
+  std::FILE*
+  messages() const
+  {
+    return nobody_ ? nobody_.get() : stderr;
+  }
+
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> nobody_{std::fopen("/dev/null", "we"),
+                                                          std::fclose};
   qhT state_{};
 };
 

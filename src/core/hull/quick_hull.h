@@ -28,8 +28,7 @@ namespace pcl_cid {
  *  \return no triangles when the points are flat within 1e-6 of their extents, or when
  *  qhull fails
  *  \throws std::bad_alloc when qhull lacks memory
- *  \note Prints nothing: qhull, which explains itself on stderr, never sees flat
- *  points. */
+ *  \note Prints nothing. */
 TriangleMesh
 quickHull(const std::vector<Eigen::Vector3d>& points);
 
