@@ -11,6 +11,7 @@
 
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/scan_source.h>
+#include <pcl_cid/io/scannet.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +161,10 @@ compareScans(const ScanPair& pair,
   const auto remark = [&](const std::string& sentence) {
     scan.remarks.push_back(sentence);
   };
-  const ReadScan prediction(pair.prediction, {class_table, remark});
+  // A prediction is a file most of the time, which has no use for the table.
+  const ReadScan prediction(
+      pair.prediction,
+      {isScannetScan(pair.prediction) ? class_table : std::string(), remark});
   const ReadScan truth(pair.truth, {class_table, remark});
   requireSamePoints(prediction, truth);
 

@@ -236,8 +236,21 @@ TEST_F(EvaluateTool, TakesFoldersOfDatasetsAsTruth)
   EXPECT_EQ(scenes["truth_instances"], instances.size() - 1);
   EXPECT_LT(scenes["labelled_points"], scan.points.size());
   EXPECT_EQ(scenes["mean"]["ap"], 1.0);
+  // The table is for the truth; a prediction that is a file has no use for it.
+  const std::string table = file("elsewhere.tsv");
+  fs::rename(file("scannetv2-labels.combined.tsv"), table);
+  segment({scene, file("scene.pcd"), "--labels-from", "label", "--class-table", table});
+  EXPECT_EQ(reportOf({file("scene.pcd"),
+                      scene,
+                      "--class-table",
+                      table,
+                      "--protocol",
+                      "scannet"})["points"],
+            scan.points.size());
   expectRefused({scene,
                  scene,
+                 "--class-table",
+                 table,
                  "--protocol",
                  "scannet",
                  "--report",
