@@ -71,6 +71,16 @@ endAtOnce()
   _exit(fail(program_invocation_short_name, "there is not enough memory to go on"));
 }
 
+/** qhull leaves by exit() where PCL calls it without a way back. */
+void
+endedByOthers()
+{
+  if (outputs_of_tool == nullptr)
+    return;
+  outputs_of_tool->discard();
+  _exit(fail(program_invocation_short_name, "there is not enough memory to go on"));
+}
+
 } // namespace
 
 ToolOutputs::ToolOutputs(const std::vector<std::string>& inputs) : OutputFiles(inputs)
@@ -130,6 +140,7 @@ int
 runTool(const char* tool, const std::function<void()>& work)
 {
   std::set_terminate(endAtOnce);
+  std::atexit(endedByOthers);
   occupyClosedStreams();
   catchSignals();
   try {

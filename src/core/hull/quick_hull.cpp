@@ -4,8 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Convex hulls by qhull, which no other file knows of. Unlike pcl::ConvexHull, it tells
- * want of memory from points that have no hull.
+ * Convex hulls by pcl::ConvexHull, which no other file knows of.
  */
 
 #include "quick_hull.h"
@@ -15,21 +14,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csetjmp>
-#include <cstdio>
 #include <limits>
-#include <memory>
-#include <new>
 #include <utility>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/surface/convex_hull.h>
 
 #include <Eigen/Geometry>
-
-extern "C" {
-#include <libqhull_r/libqhull_r.h>
-}
 
 namespace pcl_cid {
 namespace {
@@ -101,101 +93,31 @@ orientOutward(TriangleMesh& mesh)
       std::swap(triangle[1], triangle[2]);
 }
 
-/** A run of qhull, whose memory goes with it. */
-class Qhull {
-public:
-  Qhull() { qh_zero(&state_, messages()); }
+/** Vertices and triangles by PCL; none when qhull fails. */
+struct Hull {
+  Cloud vertices;
+  std::vector<pcl::Vertices> triangles;
 
-  ~Qhull()
+  explicit Hull(const Cloud::Ptr& cloud)
   {
-    qh_freeqhull(&state_, !qh_ALL);
-    int blocks_left = 0;
-    int bytes_left = 0;
-    qh_memfreeshort(&state_, &blocks_left, &bytes_left);
+    pcl::ConvexHull<pcl::PointXYZ> hull;
+    hull.setInputCloud(cloud);
+    hull.setDimension(3);
+    hull.reconstruct(vertices, triangles);
   }
-
-  Qhull(const Qhull&) = delete;
-  Qhull&
-  operator=(const Qhull&) = delete;
-
-  /** \return whether there is a hull, now of triangles
-   *  \throws std::bad_alloc */
-  bool
-  run(std::vector<coordT>& coordinates)
-  {
-    char command[] = "qhull ";
-    const int count = static_cast<int>(coordinates.size() / 3);
-    int error = qh_new_qhull(
-        &state_, 3, count, coordinates.data(), False, command, nullptr, messages());
-    if (error == 0)
-      error = triangulate(&state_);
-    if (error == qh_ERRmem)
-      throw std::bad_alloc();
-    return error == 0;
-  }
-
-  /** \brief Its vertices and triangles, where there is a hull. */
-  TriangleMesh
-  mesh(const Cloud& cloud)
-  {
-    qhT* const qh = &state_; // the macros of qhull know it by this name
-    TriangleMesh mesh;
-    std::vector<std::uint32_t> number(qh->vertex_id + 1);
-    vertexT* vertex = nullptr;
-    FORALLvertices
-    {
-      number[vertex->id] = static_cast<std::uint32_t>(mesh.vertices.size());
-      const auto point = static_cast<std::size_t>(qh_pointid(qh, vertex->point));
-      mesh.vertices.push_back(cloud[point].getVector3fMap().cast<double>());
-    }
-    facetT* facet = nullptr;
-    FORALLfacets
-    {
-      Triangle triangle{};
-      int vertex_n = 0;
-      int vertex_i = 0;
-      FOREACHvertex_i_(qh, facet->vertices)
-          triangle.at(static_cast<std::size_t>(vertex_i)) = number[vertex->id];
-      mesh.triangles.push_back(triangle);
-    }
-    return mesh;
-  }
-
-private:
-  /** qh_triangulate() leaves by a long jump when it fails.
-   *  \return qhull's number of the error, or 0 */
-  static int
-  triangulate(qhT* qh)
-  {
-    const int error = setjmp(qh->errexit);
-    if (error == 0) {
-      qh->NOerrexit = False;
-      qh_triangulate(qh);
-    }
-    qh->NOerrexit = True;
-    return error;
-  }
-
-  /** Where its explanations go: to nobody. */
-  std::FILE*
-  messages() const
-  {
-    return nobody_ ? nobody_.get() : stderr;
-  }
-
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> nobody_{std::fopen("/dev/null", "we"),
-                                                          std::fclose};
-  qhT state_{};
 };
 
-std::vector<coordT>
-coordinatesOf(const Cloud& cloud)
+/** qhull fails in silence when memory lacks, too, and that must not become another
+ * hull: it is asked again, and memory is asked for. \throws std::bad_alloc */
+Hull
+hullOf(const Cloud::Ptr& cloud)
 {
-  std::vector<coordT> coordinates;
-  coordinates.reserve(3 * cloud.size());
-  for (const pcl::PointXYZ& p : cloud)
-    coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
-  return coordinates;
+  Hull hull(cloud);
+  if (!hull.triangles.empty())
+    return hull;
+  constexpr std::size_t bytes_for_a_point = 1000;
+  std::vector<char>(bytes_for_a_point * cloud->size());
+  return Hull(cloud);
 }
 
 } // namespace
@@ -207,13 +129,16 @@ quickHull(const std::vector<Eigen::Vector3d>& points)
   const Cloud::Ptr cloud = scaledCloud(points, box);
   if (!fillsSpace(*cloud))
     return {};
-  std::vector<coordT> coordinates = coordinatesOf(*cloud);
-  Qhull qhull;
-  if (!qhull.run(coordinates))
-    return {};
+  const Hull hull = hullOf(cloud);
 
   // Scaled, the triangles are well-shaped: that is where to see which way they face.
-  TriangleMesh mesh = qhull.mesh(*cloud);
+  TriangleMesh mesh;
+  for (const pcl::PointXYZ& v : hull.vertices)
+    mesh.vertices.push_back(v.getVector3fMap().cast<double>());
+  for (const pcl::Vertices& polygon : hull.triangles)
+    mesh.triangles.push_back({static_cast<std::uint32_t>(polygon.vertices.at(0)),
+                              static_cast<std::uint32_t>(polygon.vertices.at(1)),
+                              static_cast<std::uint32_t>(polygon.vertices.at(2))});
   orientOutward(mesh);
   const Eigen::Vector3d units = unitsOf(box);
   for (Eigen::Vector3d& v : mesh.vertices)

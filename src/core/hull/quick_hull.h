@@ -27,8 +27,10 @@ namespace pcl_cid {
  *  \param[in] points at least 1
  *  \return no triangles when the points are flat within 1e-6 of their extents, or when
  *  qhull fails
- *  \throws std::bad_alloc when qhull lacks memory
- *  \note Prints nothing. */
+ *  \throws std::bad_alloc when qhull lacks memory and says so; PCL does not let it at
+ *  every moment, and ends the process then
+ *  \note Prints nothing: qhull, which explains itself on stderr, never sees flat
+ *  points. */
 TriangleMesh
 quickHull(const std::vector<Eigen::Vector3d>& points);
 
