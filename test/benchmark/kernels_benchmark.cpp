@@ -16,16 +16,22 @@
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/prepared_scan.h>
+#include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/cloud_points.h>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -266,6 +272,51 @@ convexHulls(benchmark::State& state)
         room.pointSet(), part, ConvexPartOptions(), ExecutionOptions()));
 }
 
+/** A room in a file, and back: x, y, z. */
+void
+readFile(benchmark::State& state, const char* extension, CloudEncoding encoding)
+{
+  Room& room = roomOf(state);
+  pcl::PointCloud<pcl::PointXYZ> points;
+  for (const Eigen::Vector3f& p : room.points())
+    points.emplace_back(p.x(), p.y(), p.z());
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() /
+      ("pcl_cid_benchmark_" + std::to_string(getpid()) + extension);
+  std::ofstream stream(path, std::ios::binary);
+  CloudLayout layout = layoutFor(path.string(), {});
+  layout.encoding = encoding;
+  writeCloud(stream, toLabelledCloud(points), layout);
+  stream.close();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(pointsOf(readCloud(path.string())));
+  std::filesystem::remove(path);
+}
+
+void
+readAsciiPCD(benchmark::State& state)
+{
+  readFile(state, ".pcd", CloudEncoding::ascii);
+}
+
+void
+readBinaryPCD(benchmark::State& state)
+{
+  readFile(state, ".pcd", CloudEncoding::binary);
+}
+
+void
+readAsciiPLY(benchmark::State& state)
+{
+  readFile(state, ".ply", CloudEncoding::ascii);
+}
+
+void
+readBinaryPLY(benchmark::State& state)
+{
+  readFile(state, ".ply", CloudEncoding::binary);
+}
+
 void
 queryRooms(benchmark::internal::Benchmark* kernel)
 {
@@ -289,6 +340,10 @@ BENCHMARK(seedProposal)->Apply(stepRooms);
 BENCHMARK(seedProposalWithCIDs)->Apply(stepRooms);
 BENCHMARK(groupMerging)->Apply(stepRooms);
 BENCHMARK(convexHulls)->Apply(stepRooms);
+BENCHMARK(readAsciiPCD)->Apply(stepRooms);
+BENCHMARK(readBinaryPCD)->Apply(stepRooms);
+BENCHMARK(readAsciiPLY)->Apply(stepRooms);
+BENCHMARK(readBinaryPLY)->Apply(stepRooms);
 
 } // namespace
 } // namespace pcl_cid::benchmarks

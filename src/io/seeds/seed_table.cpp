@@ -106,11 +106,11 @@ isName(const std::string& label)
 /** Numbers for the names of classes, in the order in which they come: 1, 2, ... without
  *  those that are labels already. */
 std::map<std::string, std::uint32_t>
-numbersOfNames(const std::vector<Row>& rows)
+numbersOfNames(const std::vector<Row>& rows, const TextTable& text)
 {
   std::set<std::uint32_t> taken;
   for (const Row& row : rows)
-    if (const auto label = parseLoosely<std::uint32_t>(row.label))
+    if (const auto label = text.number<std::uint32_t>(row.label))
       taken.insert(*label);
   std::map<std::string, std::uint32_t> numbers;
   std::uint32_t next = 1;
@@ -131,7 +131,7 @@ public:
   : path_(path)
   , text_(rows.text())
   , points_(points)
-  , number_of_name_(numbersOfNames(rows.all()))
+  , number_of_name_(numbersOfNames(rows.all(), rows.text()))
   {
     for (const auto& [name, number] : number_of_name_)
       table_.names[number] = name;
@@ -193,7 +193,7 @@ private:
   pcl::index_t
   indexOf(const Row& row) const
   {
-    const auto index = parseLoosely<std::int64_t>(row.index);
+    const auto index = text_.number<std::int64_t>(row.index);
     const std::size_t count = points_.points->size();
     if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= count)
       fail(row,
@@ -217,7 +217,7 @@ private:
     if (const auto named = number_of_name_.find(row.label);
         named != number_of_name_.end())
       return named->second;
-    const auto label = parseLoosely<std::uint32_t>(row.label);
+    const auto label = text_.number<std::uint32_t>(row.label);
     if (!label)
       fail(row,
            "the label is '",
@@ -237,7 +237,7 @@ private:
     int axis = 0;
     for (const std::string* const text : {&row.x, &row.y, &row.z}) {
       if (!text->empty()) {
-        const auto value = text_.number(*text);
+        const auto value = text_.number<double>(*text);
         if (!value)
           fail(row, "the ", "xyz"[axis], " is '", *text, "'; it must be a number");
         const double rounding =

@@ -10,7 +10,6 @@
 #include "delimited_text.h"
 
 #include "base/sentence.h"
-#include "numbers.h"
 
 #include <pcl_cid/exceptions.h>
 
@@ -195,15 +194,6 @@ private:
 };
 
 } // namespace
-
-std::optional<double>
-TextTable::number(const std::string& cell) const
-{
-  std::string text = cell;
-  if (separator != ',')
-    std::replace(text.begin(), text.end(), ',', '.');
-  return parseNumber<double>(text);
-}
 
 TextTable
 readTextTable(std::string_view text, const std::string& name)

@@ -9,6 +9,9 @@
 
 #pragma once
 
+#include "numbers.h"
+
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,10 +32,16 @@ struct TextTable {
   /** Those with at least one cell that is not empty. */
   std::vector<TextRow> rows;
 
-  /** \brief A number as this table writes it: where a comma separates no cells, it may
-   *  stand for the decimal point. */
-  std::optional<double>
-  number(const std::string& cell) const;
+  /** \brief A number as this table writes it, see parseLoosely(): where a comma
+   *  separates no cells, it may stand for the decimal point. */
+  template <typename Number>
+  std::optional<Number>
+  number(std::string cell) const
+  {
+    if (separator != ',')
+      std::replace(cell.begin(), cell.end(), ',', '.');
+    return parseLoosely<Number>(cell);
+  }
 };
 
 /** \brief Read a table (RFC 4180, and what spreadsheets make of it).

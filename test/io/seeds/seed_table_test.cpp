@@ -111,7 +111,7 @@ inUTF16(const std::string& text, bool is_big_endian)
 
 TEST_F(SeedTableTest, MayBeSeparatedAndEncodedInAnyWay)
 {
-  const std::string semicolons = "index;x;label\n1;0,1;3.0\n\"2\";10;\"5\"\n";
+  const std::string semicolons = "index;x;label\n1,0;0,1;3,0\n\"2\";10;\"5\"\n";
   const std::string tabs = "index\tx\tlabel\n1\t0.1\t3\n2\t\t5\n";
   const std::string named = "sep=;\nindex;label\n1;3\n2;5\n";
   const std::string quoted = "note,index,label\n\"a \"\"b\"\",\nc\",1,3\n,2.0,5\n";
