@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include <pcl/point_cloud.h>
@@ -108,7 +109,8 @@ struct Hull {
 };
 
 /** qhull fails in silence when memory lacks, too, and that must not become another
- * hull: it is asked again, and memory is asked for. \throws std::bad_alloc */
+ * hull. It is asked again, after memory is asked for, which throws when there is none.
+ */
 Hull
 hullOf(const Cloud::Ptr& cloud)
 {
@@ -116,7 +118,7 @@ hullOf(const Cloud::Ptr& cloud)
   if (!hull.triangles.empty())
     return hull;
   constexpr std::size_t bytes_for_a_point = 1000;
-  std::vector<char>(bytes_for_a_point * cloud->size());
+  ::operator delete(::operator new(bytes_for_a_point * cloud->size()));
   return Hull(cloud);
 }
 
