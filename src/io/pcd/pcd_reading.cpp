@@ -201,8 +201,8 @@ private:
         std::all_of(rest.begin(), rest.end(), [](char c) { return c == 0; });
     if (left > page || !is_zero)
       fail("has ",
-           left,
-           " bytes after its last point; the header says ",
+           countOf(left, "byte"),
+           " after its last point; the header says ",
            countOf(cloud_.size(), "point"),
            " in ",
            read,

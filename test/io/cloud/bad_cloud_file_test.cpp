@@ -105,7 +105,7 @@ badFiles()
       {"NoZ", pcd("x y", "4 4", "F F", "1 1", one, "ascii\n1 2\n"), "no field 'z'"},
       {"BytesLeft",
        xyz(one, "binary\n" + std::string(12, 'a') + "b"),
-       "has 1 bytes after its last point"},
+       "has 1 byte after its last point"},
       {"HalfAsLabel",
        pcd("x y z l", "4 4 4 4", "F F F I", "1 1 1 1", one, "ascii\n1 2 3 0.5\n"),
        "'0.5' is no value for field 'l'"},
