@@ -21,7 +21,7 @@
 namespace pcl_cid::test {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_coordinate = std::numeric_limits<float>::quiet_NaN();
 
 /** Draws in the words of the case. */
 class Dice {
@@ -179,7 +179,7 @@ drawCloud(const NamedShape& shape, const Place& place, std::size_t count, Dice& 
 void
 spoil(TortureCloud& cloud, Dice& dice)
 {
-  constexpr std::array<float, 3> bad = {nan,
+  constexpr std::array<float, 3> bad = {no_coordinate,
                                         std::numeric_limits<float>::infinity(),
                                         -std::numeric_limits<float>::infinity()};
   for (TorturePoint& point : cloud)
@@ -199,9 +199,9 @@ drawPose(TortureCloud& cloud, const Place& place, Dice& dice)
   if (dice.oneIn(8))
     cloud.sensor_orientation_.coeffs().setZero();
   if (dice.oneIn(8))
-    cloud.sensor_orientation_.x() = nan;
+    cloud.sensor_orientation_.x() = no_coordinate;
   if (dice.oneIn(8))
-    cloud.sensor_origin_.y() = nan;
+    cloud.sensor_origin_.y() = no_coordinate;
 }
 
 /** In any order, some twice. */
