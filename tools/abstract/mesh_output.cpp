@@ -79,7 +79,9 @@ requireRoomForFloat(const std::string& path,
                     double min_thickness)
 {
   const MeshFormat& format = meshFormatOf(path);
-  if (format.is_float &&
+  const bool is_finer =
+      FileCoordinates(scan.cloud).datatype() != pcl::PCLPointField::FLOAT32;
+  if (format.is_float && is_finer &&
       floatRounding(typicalSize(scan)) > share_for_rounding * min_thickness)
     failForFloat(path, format, "a hull " + shortNumber(min_thickness) + " m thick");
 }

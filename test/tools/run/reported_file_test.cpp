@@ -195,11 +195,11 @@ TEST_F(HullsOfReportedFiles, ContainThePointsOfTheFileThatLieAstray)
 /// work.
 TEST_F(HullsOfReportedFiles, AreRefusedBeforeTheWorkWhereAnSTLCannotHoldThem)
 {
-  LabelledCloud cloud = toLabelledCloud(*pointsOf(deskScan()).points);
-  std::vector<float> x = valuesOf<float>(cloud.fields, "x");
+  const LabelledCloud cloud = deskScan();
+  std::vector<double> x;
+  for (const float value : valuesOf<float>(cloud.fields, "x"))
+    x.push_back(value + 1e6);
   LabelledCloud far;
-  for (float& value : x)
-    value += 1e6f;
   appendField("x", x, far.fields);
   appendField("y", valuesOf<float>(cloud.fields, "y"), far.fields);
   appendField("z", valuesOf<float>(cloud.fields, "z"), far.fields);
