@@ -52,29 +52,39 @@ stepOf(std::uint8_t datatype, double size)
 class PointReading {
 public:
   PointReading(const LabelledCloud& cloud, const PointOptions& options)
-  : cloud_(cloud), coordinates_(cloud), options_(options)
+  : cloud_(cloud)
+  , datatype_(FileCoordinates(cloud).datatype())
+  , sensor_(cloud.sensor_origin.head<3>().cast<double>())
+  , options_(options)
+  , points_(cloud.size())
   {
-    points_.reserve(cloud.size());
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      points_.push_back(coordinates_[i]);
+    for (int axis = 0; axis < 3; ++axis)
+      load(axis);
   }
 
   CloudPoints
   read()
   {
-    requireInRange();
-    if (!options_.keep_zeros)
-      dropNoReturns();
-    const Eigen::AlignedBox3d bulk = boxOfBulk();
-    remarkOnStep(bulk);
+    look();
+    if (!options_.keep_zeros) {
+      dropNoReturns(Eigen::Vector3d::Zero(), at_zero_);
+      dropNoReturns(sensor_, at_sensor_);
+    }
     CloudPoints result;
-    if (exceedsFloat(coordinates_.datatype()) && !bulk.isEmpty())
-      result.frame.origin = middleOf(bulk);
+    const bool is_coarse = stepOf(datatype_, largest_) > largest_step;
+    if (finite_ > 0 && (is_coarse || exceedsFloat(datatype_))) {
+      const Eigen::AlignedBox3d bulk = boxOfBulk();
+      remarkOnStep(bulk);
+      if (exceedsFloat(datatype_))
+        result.frame.origin = middleOf(bulk);
+    }
     moveInto(result);
     return result;
   }
 
 private:
+  static constexpr double largest_step = 1e-3; // of coordinates, metres
+
   void
   remark(const std::string& sentence) const
   {
@@ -83,46 +93,67 @@ private:
   }
 
   void
-  requireInRange() const
+  load(int axis)
   {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      for (int axis = 0; axis < 3; ++axis)
-        if (const double value = points_[i][axis];
-            std::isfinite(value) && std::abs(value) > largest_coordinate)
-          throw CIDException(sentence(cloud_.name,
-                                      ": the ",
-                                      "xyz"[axis],
-                                      " of point ",
-                                      i,
-                                      " is ",
-                                      value,
-                                      "; coordinates go to 1e15, and a point that is "
-                                      "none has NaN"));
+    const pcl::PCLPointField& field = requireField(cloud_, std::string(1, "xyz"[axis]));
+    visitType(field.datatype, [&](auto type) {
+      const std::uint8_t* bytes = cloud_.fields.data.data() + field.offset;
+      for (Eigen::Vector3d& p : points_) {
+        p[axis] = static_cast<double>(loadValue<decltype(type)>(bytes));
+        bytes += cloud_.fields.point_step;
+      }
+    });
   }
 
-  /** Drivers write what did not return as a point at the sensor. */
+  /** Once over all points, which may be many. */
   void
-  dropNoReturns()
+  look()
   {
-    dropPointsAt(Eigen::Vector3d::Zero());
-    const Eigen::Vector3d sensor = cloud_.sensor_origin.head<3>().cast<double>();
-    if (!sensor.isZero(0.0))
-      dropPointsAt(sensor);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Eigen::Vector3d& p = points_[i];
+      const double size = std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+      if (size > largest_coordinate || !(size >= 0.0))
+        requireInRange(i);
+      if (!p.allFinite())
+        continue;
+      ++finite_;
+      largest_ = std::max(largest_, size);
+      at_zero_ += size == 0.0 ? 1 : 0;
+      at_sensor_ += p == sensor_ ? 1 : 0;
+    }
   }
 
   void
-  dropPointsAt(const Eigen::Vector3d& place)
+  requireInRange(std::size_t point) const
   {
-    constexpr std::ptrdiff_t many = 10;
-    const auto isThere = [&](const Eigen::Vector3d& p) { return p == place; };
-    const auto isFinite = [](const Eigen::Vector3d& p) { return p.allFinite(); };
-    const auto count = std::count_if(points_.begin(), points_.end(), isThere);
-    if (count < many ||
-        count == std::count_if(points_.begin(), points_.end(), isFinite))
+    for (int axis = 0; axis < 3; ++axis)
+      if (const double value = points_[point][axis];
+          std::isfinite(value) && std::abs(value) > largest_coordinate)
+        throw CIDException(sentence(cloud_.name,
+                                    ": the ",
+                                    "xyz"[axis],
+                                    " of point ",
+                                    point,
+                                    " is ",
+                                    value,
+                                    "; coordinates go to 1e15, and a point that is "
+                                    "none has NaN"));
+  }
+
+  /** Drivers write what did not return as a point at the sensor.
+   *  \param[in] count of points exactly at the place */
+  void
+  dropNoReturns(const Eigen::Vector3d& place, std::size_t count)
+  {
+    constexpr std::size_t many = 10;
+    if (count < many || count == finite_)
       return;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    std::replace_if(
-        points_.begin(), points_.end(), isThere, Eigen::Vector3d::Constant(nan));
+    for (Eigen::Vector3d& p : points_)
+      if (p == place)
+        p.setConstant(nan);
+    finite_ -= count;
+    at_sensor_ -= place == sensor_ ? count : 0;
     remark(sentence(count,
                     " points lie exactly at (",
                     place.x(),
@@ -175,13 +206,10 @@ private:
   void
   remarkOnStep(const Eigen::AlignedBox3d& bulk) const
   {
-    if (bulk.isEmpty())
-      return;
-    constexpr double most = 1e-3;
     const double largest =
         std::max(bulk.min().cwiseAbs().maxCoeff(), bulk.max().cwiseAbs().maxCoeff());
-    const double step = stepOf(coordinates_.datatype(), largest);
-    if (step > most)
+    const double step = stepOf(datatype_, largest);
+    if (step > largest_step)
       remark(sentence("its coordinates come in steps of ",
                       step,
                       " m; what is smaller is lost (write them as double, or nearer to "
@@ -209,21 +237,25 @@ private:
     for (const Eigen::Vector3d& point : points_) {
       const Eigen::Vector3f p = result.frame.toLocal(point).cast<float>();
       result.points->emplace_back(p.x(), p.y(), p.z());
-      result.finite += p.allFinite() ? 1 : 0;
     }
+    result.finite = finite_;
     result.points->width = cloud_.fields.width;
     result.points->height = cloud_.fields.height;
     result.points->is_dense = result.finite == points_.size();
     result.points->sensor_origin_.head<3>() =
-        result.frame.toLocal(cloud_.sensor_origin.head<3>().cast<double>())
-            .cast<float>();
+        result.frame.toLocal(sensor_).cast<float>();
     result.points->sensor_orientation_ = cloud_.sensor_orientation;
   }
 
   const LabelledCloud& cloud_;
-  const FileCoordinates coordinates_;
+  const std::uint8_t datatype_;
+  const Eigen::Vector3d sensor_;
   const PointOptions& options_;
   std::vector<Eigen::Vector3d> points_;
+  std::size_t finite_ = 0;
+  std::size_t at_zero_ = 0;
+  std::size_t at_sensor_ = 0;
+  double largest_ = 0.0; ///< of all finite coordinates
 };
 
 } // namespace
