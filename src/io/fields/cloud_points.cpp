@@ -53,13 +53,11 @@ class PointReading {
 public:
   PointReading(const LabelledCloud& cloud, const PointOptions& options)
   : cloud_(cloud)
-  , datatype_(FileCoordinates(cloud).datatype())
+  , coordinates_(cloud)
+  , datatype_(coordinates_.datatype())
   , sensor_(cloud.sensor_origin.head<3>().cast<double>())
   , options_(options)
-  , points_(cloud.size())
   {
-    for (int axis = 0; axis < 3; ++axis)
-      load(axis);
   }
 
   CloudPoints
@@ -92,28 +90,26 @@ private:
       options_.remark(cloud_.name + ": " + sentence);
   }
 
-  void
-  load(int axis)
+  /** As the file has it, or NaN where it is left out. */
+  Eigen::Vector3d
+  point(std::size_t i) const
   {
-    const pcl::PCLPointField& field = requireField(cloud_, std::string(1, "xyz"[axis]));
-    visitType(field.datatype, [&](auto type) {
-      const std::uint8_t* bytes = cloud_.fields.data.data() + field.offset;
-      for (Eigen::Vector3d& p : points_) {
-        p[axis] = static_cast<double>(loadValue<decltype(type)>(bytes));
-        bytes += cloud_.fields.point_step;
-      }
-    });
+    const Eigen::Vector3d p = coordinates_[i];
+    for (const Eigen::Vector3d& place : left_out_)
+      if (p == place)
+        return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return p;
   }
 
   /** Once over all points, which may be many. */
   void
   look()
   {
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Eigen::Vector3d& p = points_[i];
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      const Eigen::Vector3d p = coordinates_[i];
       const double size = std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
       if (size > largest_coordinate || !(size >= 0.0))
-        requireInRange(i);
+        requireInRange(i, p);
       if (!p.allFinite())
         continue;
       ++finite_;
@@ -124,10 +120,10 @@ private:
   }
 
   void
-  requireInRange(std::size_t point) const
+  requireInRange(std::size_t point, const Eigen::Vector3d& p) const
   {
     for (int axis = 0; axis < 3; ++axis)
-      if (const double value = points_[point][axis];
+      if (const double value = p[axis];
           std::isfinite(value) && std::abs(value) > largest_coordinate)
         throw CIDException(sentence(cloud_.name,
                                     ": the ",
@@ -148,10 +144,7 @@ private:
     constexpr std::size_t many = 10;
     if (count < many || count == finite_)
       return;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (Eigen::Vector3d& p : points_)
-      if (p == place)
-        p.setConstant(nan);
+    left_out_.push_back(place);
     finite_ -= count;
     at_sensor_ -= place == sensor_ ? count : 0;
     remark(sentence(count,
@@ -173,8 +166,9 @@ private:
     constexpr double far = 100.0; // times the size of the bulk
     Eigen::AlignedBox3d box;
     const auto [middle, size] = bulk();
-    for (const Eigen::Vector3d& p : points_)
-      if (p.allFinite() && (p - middle).cwiseAbs().maxCoeff() <= far * size)
+    for (std::size_t i = 0; i < cloud_.size(); ++i)
+      if (const Eigen::Vector3d p = point(i);
+          p.allFinite() && (p - middle).cwiseAbs().maxCoeff() <= far * size)
         box.extend(p);
     return box;
   }
@@ -184,15 +178,14 @@ private:
   bulk() const
   {
     constexpr std::size_t sample_size = 10000;
-    const std::size_t stride = 1 + points_.size() / sample_size;
+    const std::size_t stride = 1 + cloud_.size() / sample_size;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double size = 0.0;
-    std::vector<double> values;
     for (int axis = 0; axis < 3; ++axis) {
-      values.clear();
-      for (std::size_t i = 0; i < points_.size(); i += stride)
-        if (points_[i].allFinite())
-          values.push_back(points_[i][axis]);
+      std::vector<double> values;
+      for (std::size_t i = 0; i < cloud_.size(); i += stride)
+        if (const Eigen::Vector3d p = point(i); p.allFinite())
+          values.push_back(p[axis]);
       if (values.empty())
         return {middle, std::numeric_limits<double>::max()};
       std::sort(values.begin(), values.end());
@@ -233,25 +226,26 @@ private:
   moveInto(CloudPoints& result) const
   {
     result.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
-    result.points->reserve(points_.size());
-    for (const Eigen::Vector3d& point : points_) {
-      const Eigen::Vector3f p = result.frame.toLocal(point).cast<float>();
+    result.points->reserve(cloud_.size());
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      const Eigen::Vector3f p = result.frame.toLocal(point(i)).cast<float>();
       result.points->emplace_back(p.x(), p.y(), p.z());
     }
     result.finite = finite_;
     result.points->width = cloud_.fields.width;
     result.points->height = cloud_.fields.height;
-    result.points->is_dense = result.finite == points_.size();
+    result.points->is_dense = result.finite == cloud_.size();
     result.points->sensor_origin_.head<3>() =
         result.frame.toLocal(sensor_).cast<float>();
     result.points->sensor_orientation_ = cloud_.sensor_orientation;
   }
 
   const LabelledCloud& cloud_;
+  const FileCoordinates coordinates_;
   const std::uint8_t datatype_;
   const Eigen::Vector3d sensor_;
   const PointOptions& options_;
-  std::vector<Eigen::Vector3d> points_;
+  std::vector<Eigen::Vector3d> left_out_; ///< places of what did not return
   std::size_t finite_ = 0;
   std::size_t at_zero_ = 0;
   std::size_t at_sensor_ = 0;
@@ -274,7 +268,16 @@ FileCoordinates::operator[](std::size_t point) const
       cloud_->fields.data.data() + point * cloud_->fields.point_step;
   Eigen::Vector3d p;
   for (int axis = 0; axis < 3; ++axis)
-    p[axis] = toDouble(bytes + fields_[axis].offset, fields_[axis].datatype);
+    switch (fields_[axis].datatype) { // most clouds have one of the first two
+    case pcl::PCLPointField::FLOAT32:
+      p[axis] = static_cast<double>(loadValue<float>(bytes + fields_[axis].offset));
+      break;
+    case pcl::PCLPointField::FLOAT64:
+      p[axis] = loadValue<double>(bytes + fields_[axis].offset);
+      break;
+    default:
+      p[axis] = toDouble(bytes + fields_[axis].offset, fields_[axis].datatype);
+    }
   return p;
 }
 
