@@ -18,6 +18,10 @@ step "Format"
 find include src tools test doc -name '*.h' -o -name '*.hpp' -o -name '*.cpp' |
   xargs clang-format --dry-run --Werror
 echo "All files are formatted."
+if grep -rnE '[a-z.;)] \\(throws|return|param|note)\b' include src tools; then
+  echo "clang-format has pulled a command of Doxygen into the line before it." >&2
+  exit 1
+fi
 
 step "Tests, warnings as errors"
 build_preset dev -DPCL_CID_REQUIRE_PARSERS=ON -DPCL_CID_TEST_PROCESSES=16

@@ -32,8 +32,8 @@ namespace pcl_cid {
  *
  *  Only a new input and the settings of the preparation make the next verb (a call that
  *  works: sample(), segment() ...) prepare the input again, so consecutive verbs on one
- * input prepare it once. Algorithm 1, too, runs again only when one of its settings was
- * changed, and goes on where only the number of seeds has grown.
+ *  input prepare it once. Algorithm 1, too, runs again only when one of its settings
+ *  was changed, and goes on where only the number of seeds has grown.
  *
  *  Every setter refuses a bad value at once with a CIDException and then changes
  *  nothing. Ranges and defaults: the rows of `setting` (settings.h). */

@@ -39,7 +39,7 @@ require(bool condition, const char* what)
     throw std::logic_error(what);
 }
 
-/** A folder for as long as the program runs, in memory where there is such a place. */
+/** A folder for as long as the program runs; TMPDIR says where. */
 const TemporaryFolder&
 folder()
 {

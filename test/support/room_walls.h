@@ -35,7 +35,8 @@ public:
   }
 
   /** \brief Draws a stretch of \a width that nothing else on this wall uses, and takes
-   *  it. \return its middle, or nothing when the drawn place was not free */
+   *  it.
+   *  \return its middle, or nothing when the drawn place was not free */
   std::optional<double>
   takeStretch(RandomGenerator& generator, double width);
 

@@ -20,7 +20,7 @@
 namespace pcl_cid::tools {
 
 /** \brief Refuse a format that rounds to float for a scan with finer coordinates, so
- * far from the origin that hulls of the least thickness would lose their shape in it.
+ *  far from the origin that hulls of the least thickness would lose their shape in it.
  *  \throws CIDException */
 void
 requireRoomForFloat(const std::string& path,

@@ -162,7 +162,7 @@ requireOutputsCanHold(const AbstractSettings& settings,
 {
   requireRoomForFloat(settings.output, scan, settings.hulls.min_thickness);
   if (!settings.labels.empty())
-    checkWritable(settings.labels, scan, run);
+    requireOutputHolds(settings.labels, scan, run);
 }
 
 void

@@ -32,7 +32,7 @@ constexpr double most_rounding = 1e-4;
 struct ReadScan {
   LabelledCloud cloud;
   CloudPoints points; ///< zeros, too: files are compared as they are
-  std::function<void(const std::string&)> remark;
+  RemarkCallback remark;
 
   ReadScan(const std::string& path, const ScanOptions& options)
   : cloud(readScan(path, options))

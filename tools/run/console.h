@@ -17,7 +17,7 @@
 namespace pcl_cid::tools {
 
 /** \brief Let no output file take the place of a standard stream that is closed: what
- * is printed would end up in it. */
+ *  is printed would end up in it. */
 void
 occupyClosedStreams();
 

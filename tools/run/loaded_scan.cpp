@@ -18,10 +18,6 @@
 #include <ostream>
 
 namespace pcl_cid::tools {
-namespace {
-
-} // namespace
-
 std::vector<std::string>
 inputFiles(const Settings& settings)
 {
@@ -45,7 +41,7 @@ loadScan(const Settings& settings, Run& run)
 }
 
 void
-checkWritable(const std::string& path, const LoadedScan& scan, Run& run)
+requireOutputHolds(const std::string& path, const LoadedScan& scan, Run& run)
 {
   const auto remark = run.remark();
   requireWritable(scan.cloud, path, [&](const std::string& sentence) {

@@ -37,9 +37,10 @@ LoadedScan
 loadScan(const Settings& settings, Run& run);
 
 /** \brief Refuse an output that cannot hold the cloud of a scan, before the work;
- * remarks on it go to the user and the report. \throws CIDException */
+ *  remarks on it go to the user and the report.
+ *  \throws CIDException */
 void
-checkWritable(const std::string& path, const LoadedScan& scan, Run& run);
+requireOutputHolds(const std::string& path, const LoadedScan& scan, Run& run);
 
 /** \brief Write a cloud in the format that the extension of a file says.
  *  \param[in] path was announced */

@@ -52,6 +52,12 @@ failUsage(const char* tool, const UsageError& error)
   return 2;
 }
 
+[[noreturn]] void
+endWithoutMemory()
+{
+  _exit(fail(program_invocation_short_name, "there is not enough memory to go on"));
+}
+
 /** Destructors and other people's code cannot pass the want of memory on. Everything
  *  else that ends here is a mistake in the program. */
 [[noreturn]] void
@@ -68,7 +74,7 @@ endAtOnce()
   catch (...) {
     std::abort();
   }
-  _exit(fail(program_invocation_short_name, "there is not enough memory to go on"));
+  endWithoutMemory();
 }
 
 /** qhull leaves by exit() where PCL calls it without a way back. */
@@ -78,7 +84,7 @@ endedByOthers()
   if (outputs_of_tool == nullptr)
     return;
   outputs_of_tool->discard();
-  _exit(fail(program_invocation_short_name, "there is not enough memory to go on"));
+  endWithoutMemory();
 }
 
 } // namespace
@@ -111,7 +117,7 @@ Run::end(const std::string& result, const std::string& name)
   report.steps.push_back({name, console.end(result)});
 }
 
-std::function<void(const std::string&)>
+RemarkCallback
 Run::remark()
 {
   return [this](const std::string& sentence) {

@@ -11,6 +11,7 @@
 
 #include "console.h"
 
+#include <pcl_cid/io/cloud_format.h>
 #include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/report.h>
 
@@ -48,7 +49,7 @@ struct Run {
 
   /** \brief What takes a remark on the input to the user and the report; to be used as
    *  long as this lives. */
-  std::function<void(const std::string&)>
+  RemarkCallback
   remark();
 
   /** \brief The end of the run: write the report, unless its path is empty, and put all
@@ -69,7 +70,7 @@ messageOf(const std::exception& error);
 /** \brief Run a tool: exceptions become messages and exit codes.
  *  \param[in] work returns when all is done
  *  \return 0; 1 when the work failed or what it printed was lost; 2 when the command
- * line is wrong; 128 + the signal when one ended the run */
+ *  line is wrong; 128 + the signal when one ended the run */
 int
 runTool(const char* tool, const std::function<void()>& work);
 

@@ -116,7 +116,7 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
     run.outputs.announce(settings.report);
 
   LoadedScan scan = loadScan(settings, run);
-  checkWritable(settings.output, scan, run);
+  requireOutputHolds(settings.output, scan, run);
   const Eigen::Vector3f from = requirePoint(scan.points, cid_from);
   const std::vector<float> cids = heatMap(scan.points, from, settings, run);
   describe(scan.points, settings, cid_from, run.report);

@@ -141,7 +141,7 @@ segment(const SegmentSettings& settings)
   announceOutputs(settings, run.outputs);
   LoadedScan scan = loadScan(settings, run);
   SegmentedScan result = withTruth(settings, scan, run);
-  checkWritable(settings.output, scan, run);
+  requireOutputHolds(settings.output, scan, run);
   propagateLabels(settings, scan, run, result);
   describe(settings, scan, result, run);
   save(settings, result, scan, run);

@@ -36,8 +36,8 @@ struct SeedProposal {
    *  seed keeps the point. The point of a seed always belongs to that seed. */
   std::vector<pcl::index_t> group;
   /** The smallest CID_p (or cost) of each point to any of the seeds, metres: that to
-   * its seed, except that the point of a seed may be nearer to another one. NaN for a
-   * point that was not grouped. Empty when it was not asked for. */
+   *  its seed, except that the point of a seed may be nearer to another one. NaN for a
+   *  point that was not grouped. Empty when it was not asked for. */
   std::vector<float> cid;
   /** r_k for each seed: the largest entry of `cid` once that seed was taken in. Never
    *  grows; the last one is a guarantee: every point that is not isolated is within it

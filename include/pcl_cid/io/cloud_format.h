@@ -19,6 +19,10 @@ namespace pcl_cid {
 
 struct LabelledCloud;
 
+/** \brief Called with one sentence for each thing that a user should know, though it is
+ *  no error; may be empty where it is not said otherwise. */
+using RemarkCallback = std::function<void(const std::string&)>;
+
 /** \brief How the values of a cloud are written down. */
 enum class CloudEncoding { ascii, binary, compressed };
 
@@ -69,9 +73,7 @@ struct CloudFormat {
    *  \param[in] remark called with one sentence for each thing that is written in
    *  another way than it is in the cloud
    *  \throws CIDException for a cloud that cannot be written */
-  std::function<void(const LabelledCloud& cloud,
-                     const std::function<void(const std::string&)>& remark)>
-      check;
+  std::function<void(const LabelledCloud& cloud, const RemarkCallback& remark)> check;
   /** Write a file; empty for a format that is only read.
    *  \param[in] encoding one of those above */
   std::function<void(

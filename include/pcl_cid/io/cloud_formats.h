@@ -33,10 +33,10 @@ namespace pcl_cid {
  *  vertices is a field with several values. Faces of a PLY are passed over, and so is
  *  padding (fields named `_`). What else is passed over, `remarks` says: fields with
  *  COUNT 0, lists whose length varies, zeros up to 4096 bytes after the points of a
- * PCD. Lines may end in CR, LF or both; a byte order mark may come first. \throws
- * CIDException when the file cannot be opened, is empty, truncated, damaged or of no
- * format in the table, holds no point or more than its header says, has two fields of
- * one name, or has no single x, y and z */
+ *  PCD. Lines may end in CR, LF or both; a byte order mark may come first.
+ *  \throws CIDException when the file cannot be opened, is empty, truncated, damaged or
+ *  of no format in the table, holds no point or more than its header says, has two
+ *  fields of one name, or has no single x, y and z */
 PCL_CID_IO_EXPORT LabelledCloud
 readCloud(const std::string& path);
 
@@ -61,7 +61,7 @@ layoutFor(const std::string& path, const CloudLayout& source);
 PCL_CID_IO_EXPORT void
 requireWritable(const LabelledCloud& cloud,
                 const std::string& path,
-                const std::function<void(const std::string&)>& remark = {});
+                const RemarkCallback& remark = {});
 
 /** \brief Write a cloud. Look at the state of the stream afterwards to see whether it
  *  worked, or write through OutputFiles.

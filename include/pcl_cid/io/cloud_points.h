@@ -67,7 +67,7 @@ struct PointOptions {
   bool keep_zeros = false;
   /** Called with one sentence, with the name of the cloud, for each thing that a user
    *  should know; may be empty. */
-  std::function<void(const std::string&)> remark;
+  RemarkCallback remark;
 };
 
 /** \brief The coordinates of a cloud.

@@ -76,14 +76,16 @@ PCL_CID_IO_EXPORT std::vector<std::uint32_t>
 labelsOf(const LabelledCloud& cloud,
          const std::string& field,
          const CloudPoints& points,
-         const std::function<void(const std::string&)>& remark = {});
+         const RemarkCallback& remark = {});
 
 /** \brief The colors of a cloud: its field `rgb`, or else `rgba`, packed as PCL packs
  *  them; or else three fields `red`, `green`, `blue`, or `r`, `g`, `b`, in small
- * letters or not: bytes, or 16 bits, or other numbers from 0 to 1, to 255 where one is
- * above 1. \return one for each point \throws CIDException when it has none of these
- * (the message lists the fields that there are), when the packed field is not one value
- * of 4 bytes, or when a channel of a finite point is out of its range */
+ *  letters or not: bytes, or 16 bits, or other numbers from 0 to 1, to 255 where one is
+ *  above 1.
+ *  \return one for each point
+ *  \throws CIDException when it has none of these (the message lists the fields that
+ *  there are), when the packed field is not one value of 4 bytes, or when a channel of
+ *  a finite point is out of its range */
 PCL_CID_IO_EXPORT std::vector<ColorRGB>
 colorsOf(const LabelledCloud& cloud);
 

@@ -27,15 +27,15 @@ struct Change;
  *
  *  Each is written beside its place, under a hidden name, and renamed once all of them
  *  are written and on the disk; until then, and when anything fails, nothing appears
- * and what was there before stays. When the process is killed amid the renames, the
- * next run with outputs in the folder takes them back.
+ *  and what was there before stays. When the process is killed amid the renames, the
+ *  next run with outputs in the folder takes them back.
  *
  *  \code
  *    pcl_cid::OutputFiles outputs({"scan.pcd"});
  *    outputs.announce("labels.pcd");
  *    outputs.write("labels.pcd", [&](std::ostream& stream) { ... });
  *    outputs.commit();
- *    \endcode */
+ *  \endcode */
 class PCL_CID_IO_EXPORT OutputFiles {
 public:
   /** \param[in] inputs files that must never be written over */
@@ -85,7 +85,7 @@ public:
    *  \throws CIDException when one of these fails; then no output stays, and every
    *  older file is back in its place, or the message says where it is. Only when all
    *  outputs are in place and a hidden file cannot be removed, they stay, and the
-   * message says that. */
+   *  message says that. */
   void
   commit();
 

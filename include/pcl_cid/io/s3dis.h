@@ -46,7 +46,6 @@ s3disRoomFiles(const std::string& folder);
  *  point, or another line is not six numbers, the last three 0 to 255
  *  \note Cost: below a microsecond a line. */
 PCL_CID_IO_EXPORT LabelledCloud
-readS3DISRoom(const std::string& folder,
-              const std::function<void(const std::string&)>& remark);
+readS3DISRoom(const std::string& folder, const RemarkCallback& remark);
 
 } // namespace pcl_cid

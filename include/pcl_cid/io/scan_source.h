@@ -24,7 +24,7 @@ struct ScanOptions {
   std::string class_table;
   /** Called with one sentence, with file and line, for each thing that was repaired,
    *  left out or assumed; may be empty. */
-  std::function<void(const std::string&)> remark;
+  RemarkCallback remark;
 };
 
 /** \brief Whether a path is a folder that readScan() reads: a room of S3DIS or a scan

@@ -66,6 +66,6 @@ findScannetFiles(const std::string& folder, const std::string& class_table = "")
 PCL_CID_IO_EXPORT LabelledCloud
 readScannetScan(const std::string& folder,
                 const std::string& class_table,
-                const std::function<void(const std::string&)>& remark);
+                const RemarkCallback& remark);
 
 } // namespace pcl_cid

@@ -47,16 +47,17 @@ writeSeedTable(std::ostream& stream,
  *
  *  Separated by commas, semicolons or tabs, or what a first line `sep=` says, with a
  *  header that names at least `index` and `label`, in any order; more columns are
- * passed over. Rows may be removed, added and reordered. An empty label means "not
- * asked": the row is no seed. Label 0 means "asked, and it is none". A label may be the
- * name of a class, which gets a number: 1, 2, ... in the order of the rows, without
- * those that are labels already. Blank lines, spaces, quotes, every line end, decimal
- * commas between semicolons, 1.0 for 1, and UTF-16 are fine. Coordinates may be empty;
- * where they are given, they must be those of the point, to within 1/1000 of the
- * cloud's diagonal: else the table belongs to another cloud. \throws CIDException with
- * file, line and value when a column is missing, an index is no finite point or stands
- * twice with two labels, an index is not a whole number, a label neither one (0 to
- * 4294967295) nor a name, or coordinates differ; and when there is no label at all */
+ *  passed over. Rows may be removed, added and reordered. An empty label means "not
+ *  asked": the row is no seed. Label 0 means "asked, and it is none". A label may be
+ *  the name of a class, which gets a number: 1, 2, ... in the order of the rows,
+ *  without those that are labels already. Blank lines, spaces, quotes, every line end,
+ *  decimal commas between semicolons, 1.0 for 1, and UTF-16 are fine. Coordinates may
+ *  be empty; where they are given, they must be those of the point, to within 1/1000 of
+ *  the cloud's diagonal: else the table belongs to another cloud.
+ *  \throws CIDException with file, line and value when a column is missing, an index is
+ *  no finite point or stands twice with two labels, an index is not a whole number, a
+ *  label neither one (0 to 4294967295) nor a name, or coordinates differ; and when
+ *  there is no label at all */
 PCL_CID_IO_EXPORT SeedTable
 readSeedTable(const std::string& path, const CloudPoints& points);
 

@@ -31,7 +31,7 @@ makeOfProcess()
 }
 
 /** Address space that the stacks of helpers cannot take, so that where it is limited
- * some is left for the work. Nobody touches it, so it costs nothing. */
+ *  some is left for the work. Nobody touches it, so it costs nothing. */
 class Reserve {
 public:
   Reserve()

@@ -109,7 +109,7 @@ struct Hull {
 };
 
 /** qhull fails in silence when memory lacks, too, and that must not become another
- * hull. It is asked again, after memory is asked for, which throws when there is none.
+ *  hull. It is asked again, after memory is asked for, which throws when there is none.
  */
 Hull
 hullOf(const Cloud::Ptr& cloud)

@@ -21,8 +21,7 @@ constexpr float largest_coordinate = 1e15f;
 
 /** Below this, the squares of distances that are as small, beside it, as float can tell
  *  come too close to the smallest float: from here on results are the same in every
- * unit.
- */
+ *  unit. */
 constexpr float least_extent = 1e-10f;
 
 void

@@ -136,7 +136,7 @@ totalsOf(const InstanceOverlaps& scan)
 }
 
 /** Purity and compactness of section V, mean IoU: 0 / 0 gives the NaN that they
- * promise. */
+ *  promise. */
 void
 addGroupFigures(const std::vector<InstanceOverlaps>& scans, Evaluation& evaluation)
 {

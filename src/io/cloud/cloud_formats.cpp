@@ -139,7 +139,7 @@ void
 requireNames(const LabelledCloud& cloud)
 {
   for (const pcl::PCLPointField& field : cloud.fields.fields)
-    if (field.name.empty() || field.name == "_" ||
+    if (field.name.empty() || field.name == padding_name ||
         std::any_of(field.name.begin(), field.name.end(), [](unsigned char c) {
           return c <= ' ' || c == 0x7F;
         }))
@@ -155,7 +155,7 @@ requireNames(const LabelledCloud& cloud)
 void
 requireHolds(const CloudFormat& format,
              const LabelledCloud& cloud,
-             const std::function<void(const std::string&)>& remark)
+             const RemarkCallback& remark)
 {
   requireNames(cloud);
   if (format.check)
@@ -217,7 +217,7 @@ layoutFor(const std::string& path, const CloudLayout& source)
 void
 requireWritable(const LabelledCloud& cloud,
                 const std::string& path,
-                const std::function<void(const std::string&)>& remark)
+                const RemarkCallback& remark)
 {
   requireHolds(writableFormat(path), cloud, remark);
 }

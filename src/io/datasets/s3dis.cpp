@@ -109,10 +109,7 @@ struct RoomFiles {
 /** Gathers the points of the annotations, one after the other. */
 class RoomReading {
 public:
-  explicit RoomReading(const std::function<void(const std::string&)>& remark)
-  : remark_(remark)
-  {
-  }
+  explicit RoomReading(const RemarkCallback& remark) : remark_(remark) {}
 
   void
   take(const fs::path& annotation)
@@ -216,7 +213,7 @@ private:
         point ? "' is read as '" + whole + "'" : "' is left out");
   }
 
-  const std::function<void(const std::string&)>& remark_;
+  const RemarkCallback& remark_;
   std::vector<S3DISPoint> points_;
   std::vector<std::uint32_t> labels_;
   std::vector<std::uint32_t> semantics_;
@@ -247,8 +244,7 @@ s3disRoomFiles(const std::string& folder)
 }
 
 LabelledCloud
-readS3DISRoom(const std::string& folder,
-              const std::function<void(const std::string&)>& remark)
+readS3DISRoom(const std::string& folder, const RemarkCallback& remark)
 {
   const RoomFiles files(folder);
   if (files.annotations.empty())

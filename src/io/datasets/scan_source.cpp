@@ -123,11 +123,10 @@ LabelledCloud
 readScan(const std::string& path, const ScanOptions& options)
 {
   requireUseForTable(path, options.class_table);
-  if (const Dataset* const dataset = datasetOf(path))
-    return dataset->read(path, options);
-  if (isFolder(path))
+  const Dataset* const dataset = datasetOf(path);
+  if (!dataset && isFolder(path))
     refuseFolder(path);
-  LabelledCloud cloud = readCloud(path);
+  LabelledCloud cloud = dataset ? dataset->read(path, options) : readCloud(path);
   for (const std::string& remark : cloud.remarks)
     if (options.remark)
       options.remark(path + ": " + remark);

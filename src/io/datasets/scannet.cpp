@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using Remark = std::function<void(const std::string&)>;
+using Remark = RemarkCallback;
 
 constexpr const char* mesh_ending = "_vh_clean_2.ply";
 constexpr const char* segments_ending = "_vh_clean_2.0.010000.segs.json";
@@ -300,7 +300,7 @@ findScannetFiles(const std::string& folder, const std::string& class_table)
 LabelledCloud
 readScannetScan(const std::string& folder,
                 const std::string& class_table,
-                const std::function<void(const std::string&)>& remark)
+                const RemarkCallback& remark)
 {
   const ScannetFiles files = findScannetFiles(folder, class_table);
   LabelledCloud cloud = readCloud(files.mesh);

@@ -19,6 +19,9 @@
 
 namespace pcl_cid {
 
+/** \brief What files name the bytes between fields that hold no values. */
+constexpr const char* padding_name = "_";
+
 /** \brief Call \a visit with a value of the type that a field's `datatype` stands for.
  *  \return what \a visit returns */
 template <typename Visitor>

@@ -78,7 +78,7 @@ std::vector<std::uint32_t>
 labelsOf(const LabelledCloud& cloud,
          const std::string& field,
          const CloudPoints& points,
-         const std::function<void(const std::string&)>& remark)
+         const RemarkCallback& remark)
 {
   const pcl::PCLPointField& source = requireField(cloud, field);
   std::vector<std::uint32_t> labels(cloud.size(), 0);

@@ -269,7 +269,7 @@ OutputFiles::isOutput(const std::string& target) const
 }
 
 /** Of a folder in which this run has outputs, that of the run; the first time, what
- * dead runs left in it is seen to. */
+ *  dead runs left in it is seen to. */
 RunFolder&
 OutputFiles::enter(const std::string& path, const std::string& folder)
 {

@@ -22,8 +22,8 @@ namespace pcl_cid {
  *  called and however long their names are:
  *
  *  - BASE.run is locked while the run lives; the system unlocks it however the run
- * ends. It holds the base in the first folder of the run, where the record of a commit
- * is.
+ *    ends. It holds the base in the first folder of the run, where the record of a
+ *    commit is.
  *  - BASE-1.partial, BASE-2.older, ...: see commit_record.h. */
 class RunFolder {
 public:

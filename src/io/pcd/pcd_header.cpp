@@ -158,7 +158,7 @@ private:
     std::uint32_t offset = 0;
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (!counts_.empty() && wholeNumber("COUNT", counts_[i]) == 0) {
-        if (names_[i] != PCDColumn::padding)
+        if (names_[i] != padding_name)
           header_.empty_columns.push_back(names_[i]);
         continue;
       }

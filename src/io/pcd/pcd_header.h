@@ -23,9 +23,6 @@ namespace pcl_cid {
 
 /** \brief One entry of FIELDS with its SIZE, TYPE and COUNT. */
 struct PCDColumn {
-  /** The name of what holds no values. */
-  static constexpr const char* padding = "_";
-
   std::string name;
   std::uint8_t datatype = pcl::PCLPointField::FLOAT32;
   std::uint32_t count = 1;
@@ -36,7 +33,7 @@ struct PCDColumn {
   bool
   isPadding() const
   {
-    return name == padding;
+    return name == padding_name;
   }
 
   /** \brief Bytes in a point. */

@@ -28,8 +28,7 @@ readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
 
 /** \brief Whether a PLY can hold a cloud; see CloudFormat::check. */
 void
-checkPLYCloud(const LabelledCloud& cloud,
-              const std::function<void(const std::string&)>& remark);
+checkPLYCloud(const LabelledCloud& cloud, const RemarkCallback& remark);
 
 /** \brief Write a PLY; see CloudFormat::write. */
 void

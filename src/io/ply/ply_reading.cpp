@@ -43,7 +43,7 @@ fieldName(const std::string& property, const PLYElement& points)
 bool
 isPadding(const PLYProperty& property)
 {
-  return property.name == "_";
+  return property.name == padding_name;
 }
 
 /** A list of the vertices: a field with several values when all have the same number.

@@ -22,7 +22,7 @@
 namespace pcl_cid {
 
 /** \brief Reads the elements in the order of the header, then makes sure that nothing
- * is left. In ascii a row ends where its line ends; a line may break within a row. */
+ *  is left. In ascii a row ends where its line ends; a line may break within a row. */
 class PLYRows {
 public:
   /** \param[in] stream after the header

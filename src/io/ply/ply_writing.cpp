@@ -252,8 +252,7 @@ writeBinary(std::ostream& stream,
 } // namespace
 
 void
-checkPLYCloud(const LabelledCloud& cloud,
-              const std::function<void(const std::string&)>& remark)
+checkPLYCloud(const LabelledCloud& cloud, const RemarkCallback& remark)
 {
   const Properties properties(cloud.fields);
   for (const Property& property : properties.all())

@@ -49,8 +49,9 @@ struct TextTable {
  *  A first line `sep=;` names the separator; else it is the one that the first row has
  *  most of. Cells may be in quotes, and hold separators, line breaks and doubled quotes
  *  then. Lines end in CR, LF or both. The text may be UTF-8 or UTF-16, with a byte
- * order mark. \param[in] name of the file, for messages \throws CIDException when
- * quotes do not end */
+ *  order mark.
+ *  \param[in] name of the file, for messages
+ *  \throws CIDException when quotes do not end */
 TextTable
 readTextTable(std::string_view text, const std::string& name);
 
