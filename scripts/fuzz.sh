@@ -23,8 +23,8 @@ install_packages demo check more
 step "Readers under libFuzzer"
 build_preset fuzz
 fuzz_reader=build/fuzz/bin/fuzz_reader
-# Without a name it says which there are.
-readers=${*:-$("$fuzz_reader" 2>&1 | sed -n 's/.*must name a reader://p')}
+# Without a name it fails, and says which there are.
+readers=${*:-$({ "$fuzz_reader" 2>&1 || true; } | sed -n 's/.*must name a reader://p')}
 # Files are written and read again: in memory that is quick.
 [ ! -d /dev/shm ] || export TMPDIR=/dev/shm
 
@@ -34,5 +34,5 @@ for reader in $readers; do
   mkdir -p "$corpus" build/fuzz/found
   run env PCL_CID_FUZZED="$reader" PCL_CID_CORPUS="$corpus" "$fuzz_reader" "$corpus" \
     -max_total_time="$seconds" -max_len=10240 -timeout=2 -malloc_limit_mb=64 \
-    -artifact_prefix="build/fuzz/found/$reader-" -print_final_stats=1 -verbosity=0
+    -artifact_prefix="build/fuzz/found/$reader-" -print_final_stats=1 -print_funcs=0 -verbosity=0
 done
