@@ -15,13 +15,17 @@
 #include "part_scenes.h"
 
 #include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_import.h>
 #include <pcl_cid/io/s3dis.h>
 #include <pcl_cid/io/scannet.h>
 #include <pcl_cid/io/seed_table.h>
+#include <pcl_cid/io/viewpoints.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -47,15 +51,15 @@ folder()
   return folder;
 }
 
-/** Values of a cloud that compare equal when their bytes are. */
-std::vector<std::uint8_t>
+/** The coordinates as bits of double, NaN and all: PLY has no integers of 8 bytes. */
+std::vector<std::uint64_t>
 coordinatesOf(const LabelledCloud& cloud)
 {
-  std::vector<std::uint8_t> bytes;
-  for (const char* const axis : {"x", "y", "z"})
-    for (const std::uint8_t byte : bytesOf(cloud.fields, axis))
-      bytes.push_back(byte);
-  return bytes;
+  const FileCoordinates coordinates(cloud);
+  std::vector<std::uint64_t> bits(3 * cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    std::memcpy(&bits[3 * i], coordinates[i].data(), 3 * sizeof(double));
+  return bits;
 }
 
 /** What is written in a layout is read again, with the same coordinates. */
@@ -163,6 +167,22 @@ seedReader()
                        34)}};
 }
 
+FuzzedReader
+viewpointsReader()
+{
+  const auto read = [](const std::string& path) {
+    for (const Eigen::Vector3d& position : readViewpoints(path))
+      require((position.array().abs() <= 1e15).all(), "a position is out of reach");
+  };
+  return {"viewpoints",
+          fromFile(folder().file("viewpoints"), read),
+          {"[[1, 2.5, -3], [4e2, 5, 6]]",
+           "{\"sensor_positions\": [{\"x\": 1, \"y\": 2, \"z\": 3}]}",
+           "{\"viewpoints\": [{\"position\": [1, 2, 3]}], \"a\": [[{}]]}",
+           "1,2,3\n4,5,6\n",
+           "sep=;\r\nname;x;\"y\";z\r\na;1,5;2;3\r\n"}};
+}
+
 /** A file of a scan of ScanNet; the others are as they should be. */
 FuzzedReader
 scannetReader(const char* name, const std::string& scan, const std::string& path)
@@ -233,6 +253,7 @@ makeReaders()
       meshReader(
           "stl", [](const std::string& path) { readSTL(path); }, writeSTL),
       seedReader(),
+      viewpointsReader(),
       s3disReader()};
   addScannet(readers);
   return readers;
