@@ -118,6 +118,12 @@ enum class SeedingRule {
   soft      ///< drawn with the 16th power of it as weight (*ours*): less drawn to noise
 };
 
+/** \brief How parts are put together. */
+enum class MergingRule {
+  cid, ///< by group CID: Algorithm 2 of the paper
+  hull ///< by the hull that comes out (*ours*): see fitHulls()
+};
+
 /** \brief The rows. */
 namespace setting {
 
@@ -210,6 +216,21 @@ inline constexpr NumberSetting<int> group_samples{
     "Parts", "group_samples", "group sample size", "G", "", 32, 1, 1 << 20,
     "points drawn from each group; its group CIDs are means of so many pairs"};
 
+inline constexpr ChoiceSetting<MergingRule, 2> merging{
+    "Parts", "merging", "RULE", MergingRule::cid,
+    {{{"cid", MergingRule::cid}, {"hull", MergingRule::hull}}},
+    "join parts by their group CID (cid, the paper), or so that hulls leave free space "
+    "free (hull)"};
+
+inline constexpr NumberSetting<double> max_error{
+    "Parts", "max_error", "bound on the error of hulls", "T", "metres", 0.1, shortest,
+    longest,
+    "with --merging hull: no hull holds a place farther from the scan than this"};
+
+inline constexpr NumberSetting<double> robot_radius{
+    "Parts", "robot_radius", "radius of the robot", "R", "metres", 0.15, 0.0, longest,
+    "with --merging hull: places count that are at least this far from the scan"};
+
 inline constexpr NumberSetting<int> min_points{
     "Parts", "min_points", "least number of points of a part", "N", "", 1, 1,
     any_number,
@@ -270,6 +291,9 @@ forEachSetting(Visitor&& visit)
             setting::threshold,
             setting::merges,
             setting::group_samples,
+            setting::merging,
+            setting::max_error,
+            setting::robot_radius,
             setting::min_points,
             setting::min_thickness,
             setting::max_vertices,

@@ -1,0 +1,313 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Cells, joined by the hull that comes out.
+ */
+
+#include "cell.h"
+#include "hull_cover.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace pcl_cid {
+namespace {
+
+/** Pairs that are compared in parallel, when the next join depends on one of them. */
+constexpr std::size_t compared_at_once = 16;
+
+/** Places that are counted at least. */
+constexpr double least_limit = 64.0;
+
+/** What a cubic metre of a hull costs, as a share of a cubic metre of free places: what
+ *  nobody can use shall stay empty, too. */
+constexpr double volume_weight = 0.01;
+
+Eigen::AlignedBox3d
+boxAround(const FastHull& hull, double margin)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& v : hull.vertices)
+    box.extend(v);
+  const Eigen::Vector3d grown = Eigen::Vector3d::Constant(margin);
+  return {box.min() - grown, box.max() + grown};
+}
+
+/** Joins parts of a scan two at a time. The number of places that some part takes is
+ * the sum of what each join takes anew, as a hull holds the hulls that it was made of.
+ *
+ *  The cost of a pair is an upper bound once anything was joined elsewhere: places that
+ *  another part takes in the meantime are taken already. It is a guess, the larger cost
+ *  of two pairs inside, until it is asked for. */
+class Merging {
+public:
+  Merging(const std::vector<Cell>& cells, const FittingScene& scene, Progress& progress)
+  : scene_(scene), progress_(progress), taken_(scene.space.size()), left_(cells.size())
+  {
+    for (const Cell& cell : cells) {
+      parts_.push_back({cell, {}, true});
+      take(cell);
+    }
+    linkNeighbors();
+  }
+
+  std::vector<Cell>
+  run(std::size_t parts)
+  {
+    const std::size_t begun_with = left_;
+    while (left_ > parts) {
+      const std::vector<Pair> cheapest = findCheapest(1 + (left_ - parts) / 64);
+      if (cheapest.empty() && !linkAll())
+        break;
+      for (const Pair& pair : cheapest)
+        join(pair);
+      progress_.check(static_cast<double>(begun_with - left_) /
+                      static_cast<double>(begun_with));
+    }
+    std::vector<Cell> result;
+    for (Part& part : parts_)
+      if (part.is_alive)
+        result.push_back(std::move(part.cell));
+    return result;
+  }
+
+private:
+  static constexpr double impossible = std::numeric_limits<double>::infinity();
+
+  struct Part {
+    Cell cell;
+    std::set<std::size_t> neighbors;
+    bool is_alive;
+  };
+
+  struct Pair {
+    double cost;
+    bool is_known;
+    std::size_t a;
+    std::size_t b; ///< above a
+
+    /** Comes later in the queue. */
+    bool
+    operator<(const Pair& other) const
+    {
+      return std::tie(other.cost, other.is_known, other.a, other.b) <
+             std::tie(cost, is_known, a, b);
+    }
+  };
+
+  void
+  take(const Cell& cell)
+  {
+    for (const PlaceRange& range : cell.near)
+      std::fill(taken_.begin() + range.begin, taken_.begin() + range.end, 1);
+  }
+
+  void
+  link(std::size_t a, std::size_t b, double guess)
+  {
+    parts_[a].neighbors.insert(b);
+    parts_[b].neighbors.insert(a);
+    queue_.push({guess, false, std::min(a, b), std::max(a, b)});
+  }
+
+  /** Link the parts whose boxes are nearer than a robot can pass, or, where the robot
+   * is large, nearer than a small share of the scan. */
+  void
+  linkNeighbors()
+  {
+    Eigen::AlignedBox3d all;
+    for (const Part& part : parts_)
+      all.extend(boxAround(part.cell.hull, 0.0));
+    const double gap =
+        std::min(std::max(1.5 * scene_.robot_radius, scene_.space.step()),
+                 all.diagonal().norm() / 30.0);
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Part& part : parts_)
+      boxes.push_back(boxAround(part.cell.hull, 0.5 * gap));
+    for (std::size_t a = 0; a < parts_.size(); ++a)
+      for (std::size_t b = a + 1; b < parts_.size(); ++b)
+        if (boxes[a].intersects(boxes[b]))
+          link(a, b, 0.0);
+  }
+
+  /** When no neighbors are left to join: everything is a neighbor. False when it was
+   *  already. */
+  bool
+  linkAll()
+  {
+    bool any = false;
+    for (std::size_t a = 0; a < parts_.size(); ++a)
+      for (std::size_t b = a + 1; b < parts_.size(); ++b)
+        if (parts_[a].is_alive && parts_[b].is_alive &&
+            parts_[a].neighbors.count(b) == 0) {
+          link(a, b, 0.0);
+          any = true;
+        }
+    return any;
+  }
+
+  FastHull
+  hullOf(std::size_t a, std::size_t b) const
+  {
+    std::vector<Eigen::Vector3d> vertices = parts_[a].cell.hull.vertices;
+    const std::vector<Eigen::Vector3d>& others = parts_[b].cell.hull.vertices;
+    vertices.insert(vertices.end(), others.begin(), others.end());
+    return fastHull(vertices);
+  }
+
+  /** What a hull takes anew: places, and volume. Counting ends where it exceeds a
+   *  limit; the pair is a guess then. */
+  void
+  setCost(Pair& pair, double limit) const
+  {
+    const FastHull hull = hullOf(pair.a, pair.b);
+    const double volume =
+        hull.volume - parts_[pair.a].cell.hull.volume - parts_[pair.b].cell.hull.volume;
+    pair.cost = volume_weight * volume / scene_.space.placeVolume();
+    pair.is_known = visitPlacesNear(
+        hull, scene_.space, scene_.robot_radius, [&](const PlaceRange& range) {
+          pair.cost += static_cast<double>(
+              std::count(taken_.begin() + range.begin, taken_.begin() + range.end, 0));
+          return pair.cost <= limit;
+        });
+    if (hull.faces.empty() || (pair.is_known && !scene_.keepsBound(hull)))
+      pair = {impossible, true, pair.a, pair.b};
+  }
+
+  /** Beyond this a pair is not looked at closely: there are much cheaper ones. */
+  double
+  limitOf(const std::vector<Pair>& pairs) const
+  {
+    double cheapest = queue_.empty() ? 0.0 : queue_.top().cost;
+    for (const Pair& pair : pairs)
+      cheapest = std::max(cheapest, pair.cost);
+    return cheapest == impossible ? impossible : least_limit + 2.0 * cheapest;
+  }
+
+  bool
+  isCurrent(const Pair& pair) const
+  {
+    return parts_[pair.a].is_alive && parts_[pair.b].is_alive;
+  }
+
+  /** The cheapest pairs that have no part in common, in order: at most so many, and
+   * none after one that has. */
+  std::vector<Pair>
+  findCheapest(std::size_t most)
+  {
+    std::vector<Pair> cheapest;
+    std::set<std::size_t> used;
+    while (cheapest.size() < most && lookAtCheapest()) {
+      const Pair pair = queue_.top();
+      if (pair.cost == impossible || used.count(pair.a) != 0 || used.count(pair.b) != 0)
+        break;
+      queue_.pop();
+      cheapest.push_back(pair);
+      used.insert({pair.a, pair.b});
+    }
+    return cheapest;
+  }
+
+  /** Compare pairs until the first one in the queue is known; false when there is none.
+   */
+  bool
+  lookAtCheapest()
+  {
+    for (;;) {
+      std::vector<Pair> guesses;
+      while (!queue_.empty() && guesses.size() < compared_at_once) {
+        const Pair pair = queue_.top();
+        if (isCurrent(pair) && pair.is_known)
+          break;
+        queue_.pop();
+        if (isCurrent(pair))
+          guesses.push_back(pair);
+      }
+      if (guesses.empty())
+        return !queue_.empty();
+      compare(guesses);
+    }
+  }
+
+  void
+  compare(std::vector<Pair>& pairs)
+  {
+    const double limit = limitOf(pairs);
+    parallelFor(pairs.size(),
+                1,
+                scene_.threads,
+                progress_,
+                {},
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t i = begin; i < end; ++i)
+                    setCost(pairs[i], limit);
+                });
+    for (const Pair& pair : pairs) {
+      known_[{pair.a, pair.b}] = pair.cost;
+      queue_.push(pair);
+    }
+  }
+
+  double
+  guess(std::size_t a, std::size_t b) const
+  {
+    const auto known = known_.find(std::minmax(a, b));
+    return known == known_.end() ? 0.0 : known->second;
+  }
+
+  void
+  join(const Pair& pair)
+  {
+    Cell cell;
+    cell.hull = hullOf(pair.a, pair.b);
+    cell.near = placesNear(cell.hull, scene_.space, scene_.robot_radius);
+    take(cell);
+    const std::size_t made = parts_.size();
+    parts_.push_back({std::move(cell), {}, true});
+    for (const std::size_t old : {pair.a, pair.b}) {
+      parts_[old].is_alive = false;
+      const pcl::Indices& points = parts_[old].cell.points;
+      pcl::Indices& all = parts_[made].cell.points;
+      all.insert(all.end(), points.begin(), points.end());
+    }
+    std::set<std::size_t> neighbors = parts_[pair.a].neighbors;
+    neighbors.insert(parts_[pair.b].neighbors.begin(), parts_[pair.b].neighbors.end());
+    for (const std::size_t other : neighbors)
+      if (parts_[other].is_alive)
+        link(made, other, std::max(guess(pair.a, other), guess(pair.b, other)));
+    for (const std::size_t old : {pair.a, pair.b})
+      parts_[old].cell = Cell();
+    --left_;
+  }
+
+  const FittingScene& scene_;
+  Progress& progress_;
+  std::vector<unsigned char> taken_; ///< for each place, whether a part takes it
+  std::size_t left_;
+  std::vector<Part> parts_; ///< the cells, then what was joined, in order
+  std::priority_queue<Pair> queue_;
+  std::map<std::pair<std::size_t, std::size_t>, double> known_;
+};
+
+} // namespace
+
+std::vector<Cell>
+mergeCells(const std::vector<Cell>& cells,
+           std::size_t parts,
+           const FittingScene& scene,
+           Progress& progress)
+{
+  return Merging(cells, scene, progress).run(parts);
+}
+
+} // namespace pcl_cid
