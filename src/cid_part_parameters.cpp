@@ -52,6 +52,30 @@ CIDPartParameters::setGroupSampleSize(int group_sample_size)
 }
 
 void
+CIDPartParameters::setMaxError(double max_error)
+{
+  require(setting::max_error, max_error);
+  fitting_settings_.max_error = max_error;
+}
+
+void
+CIDPartParameters::setRobotRadius(double robot_radius)
+{
+  require(setting::robot_radius, robot_radius);
+  fitting_settings_.robot_radius = robot_radius;
+}
+
+void
+CIDPartParameters::setViewpoints(const std::vector<Eigen::Vector3d>& viewpoints)
+{
+  for (std::size_t i = 0; i < viewpoints.size(); ++i)
+    if (!viewpoints[i].allFinite())
+      throw CIDException("viewpoint " + std::to_string(i) +
+                         " is not finite; it must be a position");
+  fitting_settings_.viewpoints = viewpoints;
+}
+
+void
 CIDPartParameters::setHullOptions(const ConvexPartOptions& hull_options)
 {
   requireValid(hull_options);
@@ -154,12 +178,31 @@ CIDPartParameters::dropSmallParts(std::vector<int>& part)
     }
 }
 
+std::vector<int>
+CIDPartParameters::fitParts(const PreparedScan& scan, const ExecutionOptions& execution)
+{
+  const bool has_count = merge_cut_.rule == MergeCut::Rule::parts;
+  if (!has_count &&
+      (merge_cut_.rule != MergeCut::Rule::elbow || !fitting_settings_.hasBound()))
+    throw CIDException("merging by hull needs a number of parts, a bound on the error, "
+                       "or both, and takes no other cut");
+  HullFittingSettings settings = fitting_settings_;
+  settings.parts = has_count ? merge_cut_.count : 1;
+  settings.min_thickness = hull_options_.min_thickness;
+  fitting_ = fitHulls(scan, settings, execution);
+  std::vector<int> part(scan.cloudSize(), -1);
+  for (std::size_t i = 0; i < fitting_.part.size(); ++i)
+    part[static_cast<std::size_t>(scan.points().source[i])] = fitting_.part[i];
+  dropSmallParts(part);
+  return part;
+}
+
 std::vector<ConvexPart>
-CIDPartParameters::makeParts(const Grouping& grouping,
+CIDPartParameters::makeParts(const PreparedScan& scan,
                              const std::vector<int>& part_of_each_point,
                              const ExecutionOptions& execution) const
 {
-  const PointSet& points = grouping.scan().points();
+  const PointSet& points = scan.points();
   std::vector<int> part;
   part.reserve(points.size());
   for (const pcl::index_t source : points.source)

@@ -57,9 +57,10 @@ public:
   void
   segment(std::vector<pcl::PointIndices>& parts);
 
-  /** \brief The parts and their hulls.
-   *  \param[out] parts as from segment(), each with its hull; what was trimmed from a
-   *  part is listed in it apart */
+  /** \brief The parts and their hulls, by whichever rule setMergingRule() says.
+   *  \param[out] parts each with its hull, ordered by their lowest groups, or by their
+   *  first points; what was trimmed from a part is listed in it apart
+   *  \throws CIDException, CIDCancelled */
   void
   reconstruct(std::vector<ConvexPart>& parts);
 

@@ -12,6 +12,8 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/hull_fitting.h>
+#include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
@@ -19,6 +21,8 @@
 #include <vector>
 
 #include <pcl/types.h>
+
+#include <Eigen/Core>
 
 namespace pcl_cid {
 
@@ -86,6 +90,72 @@ public:
   getStopAtCut() const
   {
     return stop_at_cut_;
+  }
+
+  /** \brief What reconstruct() puts parts together by: their group CID (the paper, and
+   *  the default), or the hull that comes out, which leaves more free space free (see
+   *  fitHulls()). By hull, it needs setNumberOfParts() or setMaxError(), or both: the
+   *  bound comes first then. segment() always goes by CID, which is better for labels.
+   */
+  void
+  setMergingRule(MergingRule merging_rule)
+  {
+    merging_rule_ = merging_rule;
+  }
+
+  MergingRule
+  getMergingRule() const
+  {
+    return merging_rule_;
+  }
+
+  /** \brief The bound T on CID_h of every hull without its padding, when merging by
+   *  hull: metres, above 0. The default is none. */
+  void
+  setMaxError(double max_error);
+
+  /** \brief No bound again. */
+  void
+  resetMaxError()
+  {
+    fitting_settings_.max_error = HullFittingSettings().max_error;
+  }
+
+  /** \brief Infinite for none. */
+  double
+  getMaxError() const
+  {
+    return fitting_settings_.max_error;
+  }
+
+  /** \brief The robot that places shall stay free for, when merging by hull: its
+   * radius, metres, 0 or more; default 0.15. */
+  void
+  setRobotRadius(double robot_radius);
+
+  double
+  getRobotRadius() const
+  {
+    return fitting_settings_.robot_radius;
+  }
+
+  /** \brief Where the scan was taken from, in the frame of the input cloud, when
+   * merging by hull: only places that were seen count as free. The default is none: all
+   * count. \throws CIDException when one is not finite */
+  void
+  setViewpoints(const std::vector<Eigen::Vector3d>& viewpoints);
+
+  const std::vector<Eigen::Vector3d>&
+  getViewpoints() const
+  {
+    return fitting_settings_.viewpoints;
+  }
+
+  /** \brief The last result of merging by hull; its `part` is empty before. */
+  const HullFitting&
+  getHullFitting() const
+  {
+    return fitting_;
   }
 
   /** \brief Points drawn from each group to estimate CID_g, of as many pairs: at least
@@ -180,9 +250,15 @@ protected:
   std::vector<int>
   partOfEachPoint(const std::vector<pcl::index_t>& group, const std::vector<int>& cut);
 
+  /** \brief The part of each point of the input cloud, chosen by hulls, -1 for none;
+   *  small parts are dropped.
+   *  \throws CIDException without a number of parts or a bound, CIDCancelled */
+  std::vector<int>
+  fitParts(const PreparedScan& scan, const ExecutionOptions& execution);
+
   /** \brief The parts with their hulls. */
   std::vector<ConvexPart>
-  makeParts(const Grouping& grouping,
+  makeParts(const PreparedScan& scan,
             const std::vector<int>& part_of_each_point,
             const ExecutionOptions& execution) const;
 
@@ -202,6 +278,9 @@ private:
   int min_points_ = setting::min_points.initial;
   std::size_t dropped_points_ = 0;
   ConvexPartOptions hull_options_;
+  MergingRule merging_rule_ = setting::merging.initial;
+  HullFittingSettings fitting_settings_;
+  HullFitting fitting_;
   MergeTree merge_tree_;
   Grouping::ConstPtr merged_; ///< the grouping of merge_tree_
   MergingSettings merged_with_;

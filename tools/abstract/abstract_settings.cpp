@@ -10,6 +10,7 @@
 #include "abstract_settings.h"
 
 #include "run/parameter.h"
+#include "run/words.h"
 
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/mesh_formats.h>
@@ -32,6 +33,17 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
   line.optional(setting::parts, settings.parts);
   line.optional(setting::threshold, settings.threshold);
   line.optional(setting::merges, settings.merges);
+  line.choice(setting::merging, settings.merging);
+  line.optional(setting::max_error, settings.max_error);
+  line.optional(setting::robot_radius,
+                settings.robot_radius,
+                "default " + shortNumber(setting::robot_radius.initial));
+  line.text(
+      "viewpoints",
+      "FILE",
+      settings.viewpoints,
+      "with --merging hull: where the scan was taken from (JSON or a table), or "
+      "`cloud` for the viewpoint in INPUT; only what was seen counts as free then");
   line.setting(setting::group_samples, settings.group_samples);
   line.setting(setting::min_points, settings.min_points);
   line.text("labels",
@@ -64,6 +76,23 @@ declareHullOptions(AbstractSettings& settings, CommandLine& line)
             "when one fails");
 }
 
+/** Each rule has options of its own. */
+void
+requireFittingRule(const AbstractSettings& settings)
+{
+  const bool by_hull = settings.merging == MergingRule::hull;
+  if (!by_hull &&
+      (settings.max_error || settings.robot_radius || !settings.viewpoints.empty()))
+    throw UsageError(
+        "--max-error, --robot-radius and --viewpoints need --merging hull");
+  if (by_hull && !settings.parts && !settings.max_error)
+    throw UsageError("--merging hull needs --parts or --max-error");
+  if (by_hull && (settings.threshold || settings.merges || !settings.tree.empty() ||
+                  !settings.curve.empty()))
+    throw UsageError("--threshold, --merges, --tree and --curve are about merges by "
+                     "group CID; leave them out with --merging hull");
+}
+
 /** Some formats are only written. */
 void
 requireReader(const AbstractSettings& settings)
@@ -91,6 +120,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   if (!settings.labels.empty())
     requireExtension("--labels", settings.labels, writableCloudExtensions());
   requireReader(settings);
+  requireFittingRule(settings);
   checkSceneOptions(settings.scenes);
   return true;
 }
@@ -119,6 +149,13 @@ partParametersOf(const AbstractSettings& settings)
     list.push_back(parameter(setting::threshold, *settings.threshold));
   if (settings.merges)
     list.push_back(parameter(setting::merges, *settings.merges));
+  list.push_back(parameter(setting::merging, settings.merging));
+  if (settings.max_error)
+    list.push_back(parameter(setting::max_error, *settings.max_error));
+  if (settings.merging == MergingRule::hull)
+    list.push_back(
+        parameter(setting::robot_radius,
+                  settings.robot_radius.value_or(setting::robot_radius.initial)));
   list.push_back(parameter(setting::group_samples, settings.group_samples));
   list.push_back(parameter(setting::min_points, settings.min_points));
   list.push_back(parameter(setting::min_thickness, settings.hulls.min_thickness));

@@ -29,6 +29,10 @@ struct AbstractSettings : Settings {
   std::optional<int> parts;
   std::optional<double> threshold;
   std::optional<int> merges;
+  MergingRule merging = setting::merging.initial;
+  std::optional<double> max_error;
+  std::optional<double> robot_radius;
+  std::string viewpoints; ///< a file, or `cloud` for the pose of the cloud
   int group_samples = setting::group_samples.initial;
   int min_points = setting::min_points.initial;
   ConvexPartOptions hulls;

@@ -18,6 +18,7 @@
 
 #include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/viewpoints.h>
 
 #include <ostream>
 
@@ -43,6 +44,33 @@ configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
   abstraction.setMaxVertices(
       settings.max_vertices.value_or(setting::max_vertices.initial));
   abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
+}
+
+/** Where the scan was taken from, in the frame of its points; none when nobody says. */
+std::vector<Eigen::Vector3d>
+localViewpoints(const AbstractSettings& settings, const LoadedScan& scan)
+{
+  if (settings.viewpoints.empty())
+    return {};
+  if (settings.viewpoints == "cloud")
+    return {scan.points.points->sensor_origin_.head<3>().cast<double>()};
+  std::vector<Eigen::Vector3d> viewpoints = readViewpoints(settings.viewpoints);
+  for (Eigen::Vector3d& viewpoint : viewpoints)
+    viewpoint = scan.points.frame.toLocal(viewpoint);
+  return viewpoints;
+}
+
+void
+configureFitting(const AbstractSettings& settings,
+                 const LoadedScan& scan,
+                 Abstraction& abstraction)
+{
+  abstraction.setMergingRule(settings.merging);
+  if (settings.max_error)
+    abstraction.setMaxError(*settings.max_error);
+  if (settings.robot_radius)
+    abstraction.setRobotRadius(*settings.robot_radius);
+  abstraction.setViewpoints(localViewpoints(settings, scan));
 }
 
 /** What became of the scan. */
@@ -74,6 +102,23 @@ measureTightness(const AbstractSettings& settings,
   run.end(percent(run.report.tightness->all.free_share) + " free space", "tightness");
 }
 
+/** The parts whose hulls leave most places free. */
+void
+fit(Abstraction& abstraction, const LoadedScan& scan, Run& run, AbstractedScan& result)
+{
+  run.begin("Fitting hulls");
+  abstraction.reconstruct(result.parts);
+  result.hull_options = abstraction.getHullOptions();
+  coverFilePoints(scan, result.hull_options, result.parts);
+  result.dropped_points = abstraction.getNumberOfDroppedPoints();
+  const HullFitting& fitting = abstraction.getHullFitting();
+  run.report.places = {fitting.free_places, fitting.refused_places};
+  run.end(std::to_string(result.parts.size()) + " hulls, " +
+              percent(run.report.places->refusedShare()) +
+              " of the free places refused",
+          "fit");
+}
+
 /** The parts that the merge tree is cut into, and their hulls. */
 void
 decompose(Abstraction& abstraction,
@@ -102,13 +147,17 @@ abstract(const AbstractSettings& settings, const LoadedScan& scan, Run& run)
   Abstraction abstraction;
   configure(settings, scan, run.console, abstraction);
   configureMerging(settings, abstraction);
+  configureFitting(settings, scan, abstraction);
   abstraction.setInputCloud(scan.points.points);
   AbstractedScan result;
-  decompose(abstraction, scan, run, result);
+  const bool by_hull = settings.merging == MergingRule::hull;
+  by_hull ? fit(abstraction, scan, run, result)
+          : decompose(abstraction, scan, run, result);
   run.report.parameters = parametersOf(settings, abstraction);
   describeDensity(abstraction.getDensityDecision(), run);
   describeBlindSpot(abstraction.getBlindSpot(), scan.points.frame, run);
-  describeProposal(abstraction.getProposal(), scan.points, run.report);
+  if (!by_hull)
+    describeProposal(abstraction.getProposal(), scan.points, run.report);
   measureTightness(settings, abstraction, run, result);
   moveToFile(scan.points.frame, result.parts);
   return result;
@@ -146,7 +195,8 @@ describe(const AbstractSettings& settings, const AbstractedScan& result, Run& ru
     run.report.parameters.push_back(each);
   run.report.parts = &result.parts;
   run.report.dropped_points = result.dropped_points;
-  run.console.value("Coverage", shortNumber(run.report.coverage.back()) + " metres");
+  if (!run.report.coverage.empty())
+    run.console.value("Coverage", shortNumber(run.report.coverage.back()) + " metres");
   printParts(result, run.console);
   if (run.report.tightness)
     run.console.value("Hull concavity",

@@ -41,7 +41,6 @@ struct HullFittingSettings {
    *  metres. */
   double min_thickness = setting::min_thickness.initial;
 
-  /** \brief "as few as the bound allows" is 1. */
   bool
   hasBound() const
   {
@@ -78,8 +77,7 @@ struct HullFitting {
  *  \param[in] settings see HullFittingSettings
  *  \param[in] execution threads and progress; never change the result
  *  \throws CIDException for a setting out of its range, when a viewpoint is not finite,
- *  when \a parts is 1 and there is no bound, and when the bound needs more than 20000
- *  hulls; CIDCancelled
+ *  and when the bound needs more than 20000 hulls; CIDCancelled
  *  \note Cost: that of some ten thousand hulls of few points; about that of 100 seeds
  *  and their merges. Thread safety: may run concurrently on one scan. */
 PCL_CID_EXPORT HullFitting

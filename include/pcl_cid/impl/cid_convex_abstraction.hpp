@@ -46,8 +46,14 @@ void
 CIDConvexAbstraction<PointT>::reconstruct(std::vector<ConvexPart>& parts)
 {
   parts.clear();
+  if (this->getMergingRule() == MergingRule::hull) {
+    const PreparedScan& scan = *this->prepare();
+    const std::vector<int> part = this->fitParts(scan, this->execution(0.0, 0.9));
+    parts = this->makeParts(scan, part, this->execution(0.9, 1.0));
+    return;
+  }
   const std::vector<int> cut = decompose(0.9);
-  parts = this->makeParts(*this->getGrouping(),
+  parts = this->makeParts(this->getGrouping()->scan(),
                           this->partOfEachPoint(this->getProposal().group, cut),
                           this->execution(0.9, 1.0));
 }
@@ -59,7 +65,7 @@ CIDConvexAbstraction<PointT>::reconstruct(const std::vector<int>& cut,
 {
   parts.clear();
   const std::vector<int> part = this->partOfEachPoint(this->getProposal().group, cut);
-  parts = this->makeParts(*this->getGrouping(), part, this->execution(0.0, 1.0));
+  parts = this->makeParts(this->getGrouping()->scan(), part, this->execution(0.0, 1.0));
 }
 
 } // namespace pcl_cid

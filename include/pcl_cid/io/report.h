@@ -71,6 +71,19 @@ scoreLabels(const std::string& field,
             const std::vector<std::uint32_t>& truth,
             const CloudPoints& points);
 
+/** \brief Free places of a scan, and those that hulls refuse to a robot. */
+struct RefusedPlaces {
+  std::size_t free = 0;
+  std::size_t refused = 0;
+
+  /** \brief Share of the free places that are refused; 0 when there are none. */
+  double
+  refusedShare() const
+  {
+    return free == 0 ? 0.0 : static_cast<double>(refused) / static_cast<double>(free);
+  }
+};
+
 /** \brief What a run did; what does not apply stays empty. */
 struct Report {
   /** A parameter as it was used; no value means "none". */
@@ -114,6 +127,8 @@ struct Report {
   const std::vector<ConvexPart>* parts = nullptr;
   /** Points of parts that were dropped for being small: no hull covers them. */
   std::size_t dropped_points = 0;
+  /** What the hulls cost a robot; empty when parts were not chosen by their hulls. */
+  std::optional<RefusedPlaces> places;
   /** How tightly their hulls fit; empty when it was not measured. */
   std::optional<Tightness> tightness;
   std::vector<Step> steps;

@@ -69,7 +69,8 @@ std::vector<Cell>
 mergeCells(const std::vector<Cell>& cells,
            std::size_t parts,
            const FittingScene& scene,
-           Progress& progress);
+           Progress& progress,
+           ProgressSpan span);
 
 /** \brief Points that are inside of several hulls stay in one of them; the other hulls
  *  shrink. */

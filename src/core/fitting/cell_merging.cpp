@@ -62,7 +62,7 @@ public:
   }
 
   std::vector<Cell>
-  run(std::size_t parts)
+  run(std::size_t parts, ProgressSpan span)
   {
     const std::size_t begun_with = left_;
     while (left_ > parts) {
@@ -71,8 +71,9 @@ public:
         break;
       for (const Pair& pair : cheapest)
         join(pair);
-      progress_.check(static_cast<double>(begun_with - left_) /
-                      static_cast<double>(begun_with));
+      progress_.check(span.begin + (span.end - span.begin) *
+                                       static_cast<double>(begun_with - left_) /
+                                       static_cast<double>(begun_with));
     }
     std::vector<Cell> result;
     for (Part& part : parts_)
@@ -305,9 +306,10 @@ std::vector<Cell>
 mergeCells(const std::vector<Cell>& cells,
            std::size_t parts,
            const FittingScene& scene,
-           Progress& progress)
+           Progress& progress,
+           ProgressSpan span)
 {
-  return Merging(cells, scene, progress).run(parts);
+  return Merging(cells, scene, progress).run(parts, span);
 }
 
 } // namespace pcl_cid

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_cid {
 namespace {
@@ -21,14 +22,17 @@ constexpr double usual_places = 1 << 20;
 constexpr double most_places = 1 << 24;
 constexpr double most_places_a_side = 2048.0;
 
-/** Fine enough for the clearance, and for the scan as a whole. */
+/** Fine enough for the clearance, and for the scan as a whole; never 0, not even where
+ *  all points are in one place. */
 double
 stepFor(const Eigen::AlignedBox3d& box, double clearance)
 {
   const double volume = box.volume();
-  return std::max({std::min(clearance / 3.0, std::cbrt(volume / usual_places)),
-                   std::cbrt(volume / most_places),
-                   box.sizes().maxCoeff() / most_places_a_side});
+  const double step =
+      std::max({std::min(clearance / 3.0, std::cbrt(volume / usual_places)),
+                std::cbrt(volume / most_places),
+                box.sizes().maxCoeff() / most_places_a_side});
+  return step > 0.0 ? step : clearance / 3.0;
 }
 
 /** Floors and walls stand upright and square; no layer of places is parallel to one, or
@@ -38,6 +42,33 @@ unlikelyTurn()
 {
   return Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 0.7, 0.4).normalized())
       .toRotationMatrix();
+}
+
+/** Numbers along a column of places: from low up to below high. */
+struct ColumnPart {
+  int low;
+  int high;
+};
+
+/** Where a column is inside of a box, and a place more at either end, where rounding
+ *  may decide: flat scans have long columns of which hardly anything is inside. */
+ColumnPart
+partInside(const Eigen::AlignedBox3d& box,
+           const Eigen::Vector3d& first,
+           const Eigen::Vector3d& step,
+           int places)
+{
+  double low = 0.0;
+  double high = places;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double to_min = (box.min()[axis] - first[axis]) / step[axis];
+    const double to_max = (box.max()[axis] - first[axis]) / step[axis];
+    low = std::max(low, std::min(to_min, to_max) - 1.0);
+    high = std::min(high, std::max(to_min, to_max) + 2.0);
+  }
+  if (!(low < high))
+    return {0, 0};
+  return {static_cast<int>(std::floor(low)), static_cast<int>(std::ceil(high))};
 }
 
 } // namespace
@@ -76,35 +107,39 @@ FreeSpace::FreeSpace(const Points& points,
   };
   const auto rows = static_cast<std::size_t>(places_.y());
   const auto columns = static_cast<std::size_t>(places_.x());
-  std::vector<std::vector<Run>> runs(rows * columns);
+  std::vector<std::vector<Run>> runs(rows);
+  column_.assign(rows * columns + 1, 0);
   parallelFor(rows, 1, threads, progress, {}, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin * columns; c < end * columns; ++c) {
+      std::vector<Run>& of_row = runs[c / columns];
+      const std::size_t before = of_row.size();
       Eigen::Vector3d place = first_;
       place.x() += step_ * static_cast<double>(c % columns);
       place.y() += step_ * static_cast<double>(c / columns);
+      const ColumnPart inside_box =
+          partInside(box, turn_ * place, step_ * turn_.col(2), places_.z());
       bool inside = false;
-      for (int z = 0; z < places_.z(); ++z) {
+      for (int z = inside_box.low; z < inside_box.high; ++z) {
         place.z() = first_.z() + step_ * z;
         if (!isFree(place)) {
           inside = false;
           continue;
         }
         if (!inside)
-          runs[c].push_back({z, z, 0});
-        runs[c].back().high = z + 1;
+          of_row.push_back({z, z, 0});
+        of_row.back().high = z + 1;
         inside = true;
       }
+      column_[c + 1] = static_cast<std::uint32_t>(of_row.size() - before);
     }
   });
-  for (const std::vector<Run>& of_column : runs) {
-    column_.push_back(static_cast<std::uint32_t>(runs_.size()));
-    for (Run run : of_column) {
+  std::partial_sum(column_.begin(), column_.end(), column_.begin());
+  for (const std::vector<Run>& of_row : runs)
+    for (Run run : of_row) {
       run.number = static_cast<std::uint32_t>(size_);
       size_ += static_cast<std::size_t>(run.high - run.low);
       runs_.push_back(run);
     }
-  }
-  column_.push_back(static_cast<std::uint32_t>(runs_.size()));
 }
 
 } // namespace pcl_cid

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 namespace pcl_cid {
@@ -77,9 +78,12 @@ public:
   void
   startFrom(const Eigen::Vector3d& place)
   {
-    low_ = std::max(low_, at(place));
-    // Places are rounded to float before they are looked up.
-    slack_ = std::max(slack_, 1e-6 * place.cwiseAbs().maxCoeff());
+    const double distance = at(place);
+    low_ = std::max(low_, distance);
+    // Places are rounded to float before they are looked up, and so are distances; to
+    // ask for more would never end.
+    slack_ = std::max({slack_, 1e-6 * place.cwiseAbs().maxCoeff(), 1e-6 * distance});
+    tolerance_ = std::max(tolerance_, 2.0 * slack_);
   }
 
 private:
@@ -141,16 +145,80 @@ piecesOf(const FastHull& hull)
   return pieces;
 }
 
-/** All tetrahedra of four of the points, for points that are flat: they cover the hull,
- *  by Caratheodory's theorem, even with three of them. */
+/** The farthest of some points by a measure. */
+template <typename Measure>
+const Eigen::Vector3d&
+farthest(const std::vector<Eigen::Vector3d>& points, const Measure& measure)
+{
+  return *std::max_element(points.begin(),
+                           points.end(),
+                           [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                             return measure(a) < measure(b);
+                           });
+}
+
+/** The corners of the polygon around points that are flat, in order; of those on a line
+ *  its ends (Andrew's monotone chain). */
+std::vector<Eigen::Vector3d>
+outlineOf(const std::vector<Eigen::Vector3d>& points)
+{
+  const Eigen::Vector3d& first = points.front();
+  const Eigen::Vector3d x =
+      (farthest(points, [&](const auto& p) { return (p - first).squaredNorm(); }) -
+       first)
+          .normalized();
+  const auto offLine = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return p - first - x.dot(p - first) * x;
+  };
+  const Eigen::Vector3d y = offLine(farthest(points, [&](const auto& p) {
+                              return offLine(p).squaredNorm();
+                            })).normalized();
+
+  struct OnPlane {
+    double u;
+    double v;
+    std::size_t index;
+
+    bool
+    operator<(const OnPlane& other) const
+    {
+      return std::tie(u, v, index) < std::tie(other.u, other.v, other.index);
+    }
+  };
+  std::vector<OnPlane> sorted;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sorted.push_back({x.dot(points[i] - first), y.dot(points[i] - first), i});
+  std::sort(sorted.begin(), sorted.end());
+  const auto turnsLeft = [](const OnPlane& a, const OnPlane& b, const OnPlane& c) {
+    return (b.u - a.u) * (c.v - a.v) > (b.v - a.v) * (c.u - a.u);
+  };
+  std::vector<Eigen::Vector3d> outline;
+  for (int half = 0; half < 2; ++half) {
+    std::vector<OnPlane> chain;
+    for (const OnPlane& p : sorted) {
+      while (chain.size() > 1 && !turnsLeft(chain[chain.size() - 2], chain.back(), p))
+        chain.pop_back();
+      chain.push_back(p);
+    }
+    // The end of each half is the beginning of the other.
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      outline.push_back(points[chain[i].index]);
+    std::reverse(sorted.begin(), sorted.end());
+  }
+  return outline.empty() ? std::vector<Eigen::Vector3d>{first} : outline;
+}
+
+/** The triangles of that polygon. */
 std::vector<std::array<Eigen::Vector3d, 4>>
 flatPieces(const std::vector<Eigen::Vector3d>& points)
 {
+  const std::vector<Eigen::Vector3d> outline = outlineOf(points);
   std::vector<std::array<Eigen::Vector3d, 4>> pieces;
-  const Eigen::Vector3d& apex = points.front();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i; j < points.size(); ++j)
-      pieces.push_back({apex, apex, points[i], points[j]});
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    pieces.push_back({outline.front(),
+                      outline.front(),
+                      outline[i],
+                      outline[(i + 1) % outline.size()]});
   return pieces;
 }
 

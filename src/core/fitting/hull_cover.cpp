@@ -78,8 +78,11 @@ boxOf(const FastHull& hull, const FreeSpace& space, double radius)
   for (const Eigen::Vector3d& v : hull.vertices)
     box.extend(space.toGrid(v));
   const double places = radius / space.step();
-  return {(box.min().array() - places).ceil().cast<int>().max(0),
-          ((box.max().array() + places).floor().cast<int>() + 1).min(space.places())};
+  // Before they are int: a place may be far smaller than a hull.
+  const Eigen::Array3d most = space.places().cast<double>();
+  const Eigen::Array3d low = (box.min().array() - places).ceil();
+  const Eigen::Array3d high = (box.max().array() + places).floor() + 1.0;
+  return {low.max(0.0).min(most).cast<int>(), high.max(0.0).min(most).cast<int>()};
 }
 
 std::vector<GridPlane>
@@ -116,7 +119,8 @@ struct RowOfColumns {
   void
   cut(const GridPlane& plane, float rest, int first)
   {
-    constexpr float upright = 1e-4f;
+    // Across all of a column such a plane is off by less than a thousandth of a place.
+    constexpr float upright = 1e-7f;
     const std::size_t width = low.size();
     const auto x = [&](std::size_t i) {
       return static_cast<float>(first + static_cast<int>(i));

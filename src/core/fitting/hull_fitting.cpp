@@ -80,7 +80,11 @@ bestOfRounds(const FittingScene& scene, std::size_t parts, Progress& progress)
   for (int round = 0; round < rounds; ++round) {
     const std::size_t enough = cellsOfRound(round, std::max(parts, cells.size()));
     cells = divideCells(std::move(cells), enough, scene, progress);
-    cells = mergeCells(cells, parts, scene, progress);
+    cells = mergeCells(cells,
+                       parts,
+                       scene,
+                       progress,
+                       {(round + 0.3) / rounds, (round + 0.9) / rounds});
     cells = giveAway(std::move(cells), scene, progress);
     if (best.empty() || rankOf(cells, scene, parts) < rankOf(best, scene, parts))
       best = cells;

@@ -75,8 +75,9 @@ SeenSpace::isSeen(const Eigen::Vector3d& place) const
          std::any_of(cubes_.begin(), cubes_.end(), [&](const RangeCube& cube) {
            const Eigen::Vector3d direction = place - cube.center;
            const double range = direction.norm();
-           return range + margin_ <=
-                  static_cast<double>(cube.farthest[cellOf(direction, cube.side)]);
+           return range == 0.0 ||
+                  range + margin_ <=
+                      static_cast<double>(cube.farthest[cellOf(direction, cube.side)]);
          });
 }
 

@@ -227,6 +227,10 @@ toJson(const Report& report)
     json["parts"] = partsOf(report);
     json["points"]["dropped"] = report.dropped_points;
   }
+  if (report.places)
+    json["places"] = {{"free", report.places->free},
+                      {"refused", report.places->refused},
+                      {"refused_share", report.places->refusedShare()}};
   if (report.tightness)
     json["tightness"] = tightnessOf(*report.tightness);
   json["seconds"] = secondsOf(report);
