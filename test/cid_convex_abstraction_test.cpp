@@ -53,6 +53,47 @@ expectPartition(const std::vector<pcl::PointIndices>& parts,
   EXPECT_EQ(all, selected);
 }
 
+TEST(CIDConvexAbstraction, MergesByHull)
+{
+  const Points points = twoBoxes(600, 101);
+  Abstraction abstraction = abstractionFor(toCloud(points));
+  abstraction.setMergingRule(MergingRule::hull);
+  std::vector<ConvexPart> parts;
+  EXPECT_THROW(abstraction.reconstruct(parts), CIDException); // how many?
+  abstraction.setNumberOfParts(2);
+  abstraction.setRobotRadius(0.05);
+  abstraction.reconstruct(parts);
+  ASSERT_EQ(parts.size(), 2u);
+  for (const ConvexPart& part : parts) {
+    for (const pcl::index_t index : part.indices)
+      EXPECT_EQ(index % 2, part.indices.front() % 2);
+    EXPECT_NEAR(part.volume, 1.0, 0.1);
+  }
+  EXPECT_EQ(abstraction.getHullFitting().parts, 2u);
+  EXPECT_TRUE(abstraction.getProposal().seeds.empty()); // no group was needed
+
+  abstraction.setMergeThreshold(0.1);
+  EXPECT_THROW(abstraction.reconstruct(parts), CIDException);
+}
+
+TEST(CIDConvexAbstraction, ABoundOnTheErrorAsksForMoreHulls)
+{
+  Abstraction abstraction = abstractionFor(toCloud(twoBoxes(600, 102)));
+  abstraction.setMergingRule(MergingRule::hull);
+  abstraction.setMaxError(0.6);
+  std::vector<ConvexPart> few;
+  abstraction.reconstruct(few);
+  abstraction.setMaxError(0.2);
+  std::vector<ConvexPart> many;
+  abstraction.reconstruct(many);
+  EXPECT_GT(many.size(), few.size());
+  EXPECT_THROW(abstraction.setMaxError(0.0), CIDException);
+  EXPECT_THROW(abstraction.setRobotRadius(-0.1), CIDException);
+  EXPECT_THROW(abstraction.setViewpoints({Eigen::Vector3d::Constant(std::nan(""))}),
+               CIDException);
+  EXPECT_EQ(abstraction.getMaxError(), 0.2);
+}
+
 TEST(CIDConvexAbstraction, TwoBoxesBecomeTwoParts)
 {
   const Points points = twoBoxes(600, 101);

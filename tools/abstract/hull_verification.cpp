@@ -97,6 +97,15 @@ pointsOf(const ConvexPart& part,
   return inside;
 }
 
+/** A mesh in the frame of the points. */
+TriangleMesh
+inFrameOf(const Frame& points, TriangleMesh mesh, const Frame& mesh_frame)
+{
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v = points.toLocal(mesh_frame.toFile(v));
+  return mesh;
+}
+
 void
 verifyHull(std::size_t number,
            const TriangleMesh& hull,
@@ -112,9 +121,13 @@ verifyHull(std::size_t number,
       pointsOf(part, verification.coordinates, mesh_frame),
       verification.options,
       (is_float ? floatRounding(hull) : 0.0) + std::min(rounding, unnoticed_rounding));
-  if (broken)
+  const auto too_far = verification.error && !broken
+                           ? verification.error->findTooFar(
+                                 inFrameOf(verification.points.frame, hull, mesh_frame))
+                           : std::nullopt;
+  if (broken || too_far)
     throw CIDException("the hull of " + partName(number) +
-                       " breaks a guarantee: " + *broken);
+                       " breaks a guarantee: " + (broken ? *broken : *too_far));
 }
 
 /** Check a file; errors get the name that the user knows it by. */

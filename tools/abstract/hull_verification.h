@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "error_verification.h"
+
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/scene_export.h>
@@ -24,6 +26,7 @@ struct Verification {
   const CloudPoints& points;
   const FileCoordinates coordinates; ///< the same points, as they stand in the file
   const ConvexPartOptions& options;
+  const ErrorVerification* error; ///< null: no bound was asked for
 };
 
 /** \brief Read a mesh file with all parts again, before it is committed, and check each

@@ -8,6 +8,7 @@
  */
 
 #include "abstract_settings.h"
+#include "error_verification.h"
 #include "file_points.h"
 #include "hull_verification.h"
 #include "mesh_output.h"
@@ -20,6 +21,8 @@
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/viewpoints.h>
 
+#include <cmath>
+#include <optional>
 #include <ostream>
 
 namespace {
@@ -264,6 +267,19 @@ verify(const AbstractSettings& settings,
   run.end("all guarantees hold", "verify");
 }
 
+/** What checks the bound on the error: padding comes on top of it. */
+std::optional<ErrorVerification>
+errorVerification(const AbstractSettings& settings, const LoadedScan& scan)
+{
+  if (!settings.max_error)
+    return std::nullopt;
+  return std::optional<ErrorVerification>(std::in_place,
+                                          scan.points,
+                                          *settings.max_error +
+                                              std::sqrt(3.0) * settings.hulls.padding,
+                                          localViewpoints(settings, scan));
+}
+
 void
 runAbstract(const AbstractSettings& settings)
 {
@@ -274,12 +290,17 @@ runAbstract(const AbstractSettings& settings)
   const AbstractedScan result = abstract(settings, scan, run);
   describe(settings, result, run);
   const SceneDescription scene = save(settings, result, scan.cloud, run);
-  if (settings.verify)
-    verify(
-        settings,
-        {result.parts, scan.points, FileCoordinates(scan.cloud), result.hull_options},
-        scene,
-        run);
+  if (settings.verify) {
+    const std::optional<ErrorVerification> error = errorVerification(settings, scan);
+    verify(settings,
+           {result.parts,
+            scan.points,
+            FileCoordinates(scan.cloud),
+            result.hull_options,
+            error ? &*error : nullptr},
+           scene,
+           run);
+  }
   run.finish(settings.report);
 }
 

@@ -220,7 +220,7 @@ private:
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = faces_[seen].neighbors[k];
         if (faces_[other].is_alive &&
-            faces_[other].half_space.excess(at(point)) > tolerance_) {
+            faces_[other].half_space.excess(at(point)) > -tolerance_) {
           faces_[other].is_alive = false;
           visible.push_back(other);
         }
@@ -259,6 +259,9 @@ private:
           faces_[i].neighbors[1] = static_cast<std::uint32_t>(j);
           faces_[j].neighbors[2] = static_cast<std::uint32_t>(i);
         }
+    // It is a corner now, even where rounding lifts it off a sliver of a face; each point
+    // is added once, so this ends.
+    orphans.erase(std::remove(orphans.begin(), orphans.end(), point), orphans.end());
     share(orphans, first);
     return std::all_of(faces_.begin() + static_cast<std::ptrdiff_t>(first),
                        faces_.end(),

@@ -138,7 +138,7 @@ protected:
   tools::Verification
   verification() const
   {
-    return {scene_.parts, points_, FileCoordinates(cloud_), options_};
+    return {scene_.parts, points_, FileCoordinates(cloud_), options_, nullptr};
   }
 
   static std::string

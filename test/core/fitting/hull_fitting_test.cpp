@@ -1,0 +1,412 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Parts chosen by their hulls: what holds for all of them, and what they are for.
+ */
+
+#include "clouds.h"
+#include "depth_sensor.h"
+#include "even_sampler.h"
+#include "fitting/cell.h"
+#include "hulls.h"
+#include "portable_draw.h"
+#include "prepared_points.h"
+#include "room_scene.h"
+
+#include <pcl_cid/core/group_merging.h>
+#include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/hull_cid.h>
+#include <pcl_cid/core/hull_fitting.h>
+#include <pcl_cid/exceptions.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pcl_cid::test {
+namespace {
+
+HullFittingSettings
+fittingOf(std::size_t parts)
+{
+  HullFittingSettings settings;
+  settings.parts = parts;
+  // Larger robots need fewer cells, and so less time.
+  settings.robot_radius = 0.3;
+  return settings;
+}
+
+HullFittingSettings
+fittingWithin(double max_error, std::size_t parts = 1)
+{
+  HullFittingSettings settings = fittingOf(parts);
+  settings.max_error = max_error;
+  return settings;
+}
+
+/** Every point has a part; parts are numbered by their first points. */
+void
+expectNumbered(const HullFitting& fitting, std::size_t points, const std::string& what)
+{
+  ASSERT_EQ(fitting.part.size(), points) << what;
+  int next = 0;
+  for (const int part : fitting.part) {
+    ASSERT_GE(part, 0) << what;
+    ASSERT_LE(part, next) << what;
+    next += part == next ? 1 : 0;
+  }
+  EXPECT_EQ(fitting.parts, static_cast<std::size_t>(next)) << what;
+  EXPECT_LE(fitting.refused_places, fitting.free_places) << what;
+}
+
+std::vector<std::vector<Eigen::Vector3d>>
+pointsOfParts(const PreparedScan& scan, const HullFitting& fitting)
+{
+  std::vector<std::vector<Eigen::Vector3d>> parts(fitting.parts);
+  for (std::size_t i = 0; i < fitting.part.size(); ++i)
+    parts[static_cast<std::size_t>(fitting.part[i])].push_back(
+        scan.points().points[i].cast<double>());
+  return parts;
+}
+
+/** The floor, the walls and some furniture, about as a scan has them. */
+PreparedScan::ConstPtr
+smallRoom(std::size_t points)
+{
+  RoomOptions room;
+  room.seed = 61;
+  room.width = {3.0, 3.2};
+  room.depth = {2.6, 2.8};
+  room.doors = room.windows = 1;
+  room.beams = room.columns = room.sofas = room.boards = 0;
+  room.bookcases = room.tables = 1;
+  room.chairs = 2;
+  room.clutter = 3;
+  return prepared(sampleRoomEvenly(makeRoom(room), points, 62).points);
+}
+
+/** Two walls that meet at a right angle, with a little noise. */
+Points
+twoWalls(std::size_t count)
+{
+  RandomGenerator generator(63);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto along = static_cast<float>(3.0 * drawUnit(generator));
+    const auto across = static_cast<float>(0.005 * drawUnit(generator));
+    const auto up = static_cast<float>(2.0 * drawUnit(generator));
+    if (i % 2 == 0)
+      points.emplace_back(along, across, up);
+    else
+      points.emplace_back(across, along, up);
+  }
+  return points;
+}
+
+class HullFittingOfClouds : public testing::TestWithParam<NamedPoints> {};
+
+TEST_P(HullFittingOfClouds, EveryPointHasAPart)
+{
+  const PreparedScan::ConstPtr scan = prepared(GetParam().points);
+  for (const std::size_t parts : {1u, 1000000u}) {
+    const HullFitting fitting = fitHulls(*scan, fittingOf(parts));
+    expectNumbered(fitting, GetParam().points.size(), GetParam().name);
+    EXPECT_LE(fitting.parts, std::min(parts, GetParam().points.size()));
+    if (parts == 1) {
+      EXPECT_EQ(fitting.parts, 1u);
+    }
+  }
+}
+
+TEST_P(HullFittingOfClouds, AnyRobotAndViewpoint)
+{
+  const PreparedScan::ConstPtr scan = prepared(GetParam().points);
+  for (const double radius : {0.0, 5000.0}) {
+    HullFittingSettings settings = fittingOf(3);
+    settings.robot_radius = radius;
+    settings.viewpoints = {{0.5, 0.5, 0.5}, {1e7, -1e7, 0.0}};
+    expectNumbered(
+        fitHulls(*scan, settings), GetParam().points.size(), GetParam().name);
+  }
+}
+
+/** Certified by a search of its own, on the points of each part. */
+TEST_P(HullFittingOfClouds, NoHullStraysBeyondTheBound)
+{
+  const PreparedScan::ConstPtr scan = prepared(GetParam().points);
+  for (const double max_error : {0.3}) {
+    const HullFittingSettings settings = fittingWithin(max_error);
+    const HullFitting fitting = fitHulls(*scan, settings);
+    expectNumbered(fitting, GetParam().points.size(), GetParam().name);
+    for (const auto& part : pointsOfParts(*scan, fitting))
+      ASSERT_LE(hullCID(part, scan->field(), 0.2 * settings.min_thickness).high,
+                max_error);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Clouds,
+                         HullFittingOfClouds,
+                         testing::ValuesIn(allClouds()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(HullFitting, FewPoints)
+{
+  for (std::size_t count = 1; count <= 5; ++count)
+    for (const std::size_t parts : {1u, 9u})
+      for (const double scale : {1e-4, 1.0}) {
+        Points points = randomCube(count, 64);
+        for (Eigen::Vector3f& p : points)
+          p *= static_cast<float>(scale);
+        const std::string what = std::to_string(count) + " at " + std::to_string(scale);
+        const HullFitting fitting = fitHulls(*prepared(points), fittingOf(parts));
+        expectNumbered(fitting, count, what);
+        EXPECT_LE(fitting.parts, std::min(parts, count)) << what;
+      }
+}
+
+TEST(HullFitting, AsManyPartsAsAskedForWhereThereIsMuchToFree)
+{
+  const PreparedScan::ConstPtr scan = smallRoom(500);
+  std::size_t refused = std::numeric_limits<std::size_t>::max();
+  for (const std::size_t parts : {1u, 5u, 20u}) {
+    const HullFitting fitting = fitHulls(*scan, fittingOf(parts));
+    expectNumbered(fitting, scan->points().size(), std::to_string(parts));
+    EXPECT_EQ(fitting.parts, parts);
+    EXPECT_LT(fitting.refused_places, refused);
+    refused = fitting.refused_places;
+  }
+}
+
+TEST(HullFitting, OneHullForEachOfTwoWalls)
+{
+  const PreparedScan::ConstPtr scan = prepared(twoWalls(600));
+  const HullFitting fitting = fitHulls(*scan, fittingOf(2));
+  ASSERT_EQ(fitting.parts, 2u);
+  const ConvexPartOptions options;
+  const std::vector<ConvexPart> parts =
+      makeConvexParts(scan->points(), fitting.part, options, {});
+  const double whole = partOf(scan->points().points).volume;
+  EXPECT_LT(parts[0].volume + parts[1].volume, 0.03 * whole);
+  std::size_t strays = 0;
+  for (std::size_t i = 0; i < fitting.part.size(); ++i) {
+    const Eigen::Vector3f& p = scan->points().points[i];
+    const bool is_in_corner = p.x() < 0.05f && p.y() < 0.05f;
+    const int wall = p.y() < 0.01f ? fitting.part[0] : 1 - fitting.part[0];
+    strays += !is_in_corner && fitting.part[i] != wall ? 1 : 0;
+  }
+  EXPECT_EQ(strays, 0u);
+}
+
+/** Places that the hulls of given parts refuse, counted as fitHulls() does. */
+std::size_t
+refusedByParts(const PreparedScan& scan,
+               const std::vector<int>& part,
+               const HullFittingSettings& settings)
+{
+  const Points& points = scan.points().points;
+  Progress progress({});
+  const double clearance =
+      std::max(settings.robot_radius, setting::free_distance.initial);
+  const FreeSpace space(
+      points, scan.field(), clearance, settings.viewpoints, 1, progress);
+  const FittingScene scene{points,
+                           scan.field(),
+                           space,
+                           nullptr,
+                           settings.robot_radius,
+                           settings.max_error,
+                           settings.min_thickness,
+                           1};
+  std::vector<pcl::Indices> members(
+      static_cast<std::size_t>(*std::max_element(part.begin(), part.end()) + 1));
+  for (std::size_t i = 0; i < part.size(); ++i)
+    members[static_cast<std::size_t>(part[i])].push_back(static_cast<pcl::index_t>(i));
+  std::vector<Cell> cells;
+  for (pcl::Indices& of_part : members)
+    cells.push_back(makeCell(std::move(of_part), scene));
+  return placesTaken(cells, space);
+}
+
+TEST(HullFitting, RefusesFewerPlacesThanMergingByCID)
+{
+  const PreparedScan::ConstPtr scan = smallRoom(2000);
+  Grouping grouping(scan);
+  grouping.propose(100);
+  const std::vector<pcl::index_t> group = grouping.groups();
+  for (const std::size_t parts : {20u}) {
+    const std::vector<int> part_of_group =
+        pcl_cid::mergeGroups(grouping).cutAtParts(parts);
+    std::vector<int> merged;
+    for (const pcl::index_t g : group)
+      merged.push_back(part_of_group[static_cast<std::size_t>(g)]);
+    const HullFitting fitting = fitHulls(*scan, fittingOf(parts));
+    const std::size_t by_cid = refusedByParts(*scan, merged, fittingOf(parts));
+    EXPECT_LE(fitting.refused_places, by_cid);
+    // Hulls of points alone may be smaller than those that were compared.
+    const std::size_t again = refusedByParts(*scan, fitting.part, fittingOf(parts));
+    EXPECT_LE(again, fitting.refused_places + fitting.refused_places / 20);
+  }
+}
+
+TEST(HullFitting, PlacesThatNobodySawDoNotCount)
+{
+  RoomOptions room;
+  room.seed = 65;
+  SensorOptions sensor;
+  sensor.seed = 66;
+  sensor.points = 600;
+  sensor.positions = 2;
+  const LabelledScan seen = scanRoom(makeRoom(room), sensor);
+  const PreparedScan::ConstPtr scan = prepared(seen.points);
+  HullFittingSettings settings = fittingOf(10);
+  const HullFitting all = fitHulls(*scan, settings);
+  settings.viewpoints = seen.sensor_positions;
+  const HullFitting fitting = fitHulls(*scan, settings);
+  expectNumbered(fitting, seen.points.size(), "seen");
+  EXPECT_GT(fitting.free_places, 0u);
+  EXPECT_LT(fitting.free_places, all.free_places);
+  // In the frame of the cloud: about another origin it is the same.
+  Points moved = seen.points;
+  const Eigen::Vector3f shift(4096.0f, -8192.0f, 1024.0f);
+  for (Eigen::Vector3f& p : moved)
+    p = (p * 256.0f).array().round().matrix() / 256.0f;
+  const HullFitting here = fitHulls(*prepared(moved), settings);
+  for (Eigen::Vector3f& p : moved)
+    p += shift;
+  for (Eigen::Vector3d& viewpoint : settings.viewpoints)
+    viewpoint += shift.cast<double>();
+  const HullFitting there = fitHulls(*prepared(moved), settings);
+  EXPECT_NEAR(static_cast<double>(there.free_places),
+              static_cast<double>(here.free_places),
+              0.02 * static_cast<double>(here.free_places));
+}
+
+TEST(HullFitting, FewerPartsForALargerBound)
+{
+  const PreparedScan::ConstPtr scan = smallRoom(500);
+  std::size_t parts = scan->points().size() + 1;
+  for (const double max_error : {0.5, 0.9}) {
+    const HullFitting fitting = fitHulls(*scan, fittingWithin(max_error));
+    EXPECT_LT(fitting.parts, parts);
+    parts = fitting.parts;
+    for (const auto& part : pointsOfParts(*scan, fitting))
+      ASSERT_LE(hullCID(part, scan->field(), 0.001).high, max_error);
+  }
+}
+
+/** What the numbers of threads must agree on. */
+struct NamedFitting {
+  std::string name;
+  HullFittingSettings settings;
+};
+
+std::vector<NamedFitting>
+variedFittings()
+{
+  const std::vector<Eigen::Vector3d> viewpoints = {{1.0, 1.2, 1.4}, {2.0, 1.0, 1.2}};
+  std::vector<NamedFitting> fittings = {{"parts", fittingOf(12)},
+                                        {"seen", fittingOf(12)},
+                                        {"bound", fittingWithin(0.5)},
+                                        {"seen_bound", fittingWithin(0.5)}};
+  fittings[1].settings.viewpoints = viewpoints;
+  fittings[3].settings.viewpoints = viewpoints;
+  return fittings;
+}
+
+class HullFittingThreads : public testing::TestWithParam<NamedFitting> {};
+
+TEST_P(HullFittingThreads, SameForAnyNumberOfThreads)
+{
+  const PreparedScan::ConstPtr scan = smallRoom(200);
+  const HullFitting serial = fitHulls(*scan, GetParam().settings, onThreads(1));
+  expectNumbered(serial, scan->points().size(), GetParam().name);
+  EXPECT_GT(serial.parts, 1u);
+  for (const unsigned int threads : {2u, 3u, 8u}) {
+    const HullFitting fitting =
+        fitHulls(*scan, GetParam().settings, onThreads(threads));
+    EXPECT_EQ(fitting.part, serial.part) << threads;
+    EXPECT_EQ(fitting.parts, serial.parts) << threads;
+    EXPECT_EQ(fitting.free_places, serial.free_places) << threads;
+    EXPECT_EQ(fitting.refused_places, serial.refused_places) << threads;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Settings,
+                         HullFittingThreads,
+                         testing::ValuesIn(variedFittings()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(HullFittingThreadProgress, NeverFallsAndEndsAtOne)
+{
+  const PreparedScan::ConstPtr scan = smallRoom(300);
+  for (const unsigned int threads : {1u, 2u}) {
+    ExecutionOptions execution = onThreads(threads);
+    double last = 0.0;
+    int calls_below_three_quarters = 0;
+    execution.progress = [&](double fraction) {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      calls_below_three_quarters += fraction < 0.75 ? 1 : 0;
+      return true;
+    };
+    fitHulls(*scan, fittingOf(20), execution);
+    EXPECT_EQ(last, 1.0);
+    EXPECT_GT(calls_below_three_quarters, 2);
+  }
+}
+
+TEST(HullFittingThreadProgress, CancelsAtAnyTime)
+{
+  const PreparedScan::ConstPtr scan = smallRoom(200);
+  for (const unsigned int threads : {1u, 2u})
+    for (const HullFittingSettings& settings : {fittingOf(20), fittingWithin(0.5)})
+      for (const int calls : {0, 1}) {
+        ExecutionOptions execution = onThreads(threads);
+        int called = 0;
+        execution.progress = [&](double) { return called++ < calls; };
+        EXPECT_THROW(fitHulls(*scan, settings, execution), CIDCancelled) << calls;
+        EXPECT_EQ(called, calls + 1);
+      }
+}
+
+TEST(HullFitting, RefusesSettingsOutOfTheirRange)
+{
+  const PreparedScan::ConstPtr scan = prepared(twoBoxes(50, 67));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(fitHulls(*scan, fittingOf(0)), CIDException);
+  for (const double bad : {0.0, nan, -0.1, -infinity})
+    EXPECT_THROW(fitHulls(*scan, fittingWithin(bad)), CIDException) << bad;
+  for (const double bad : {nan, -0.1, infinity}) {
+    HullFittingSettings settings = fittingOf(3);
+    settings.robot_radius = bad;
+    EXPECT_THROW(fitHulls(*scan, settings), CIDException) << bad;
+  }
+  for (const double bad : {nan, 0.0, -0.1, infinity}) {
+    HullFittingSettings settings = fittingOf(3);
+    settings.min_thickness = bad;
+    EXPECT_THROW(fitHulls(*scan, settings), CIDException) << bad;
+  }
+  for (const double bad : {nan, infinity}) {
+    HullFittingSettings settings = fittingOf(3);
+    settings.viewpoints = {{0, 0, 0}, {0, bad, 0}};
+    EXPECT_THROW(fitHulls(*scan, settings), CIDException) << bad;
+  }
+  HullFittingSettings settings = fittingWithin(0.01);
+  for (const double bad : {0.01, 0.02}) {
+    settings.min_thickness = bad;
+    EXPECT_THROW(fitHulls(*scan, settings), CIDException) << bad;
+  }
+  settings.min_thickness = 0.005;
+  EXPECT_NO_THROW(fitHulls(*scan, settings));
+}
+
+} // namespace
+} // namespace pcl_cid::test

@@ -1,0 +1,148 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * pcl_cid_abstract --merging hull: options, report, and the bound in --verify.
+ */
+
+#include "error_verification.h"
+#include "tool_process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pcl_cid::test {
+namespace {
+
+class HullFittingTool : public ToolTest {
+protected:
+  nlohmann::json
+  reportOf(const std::vector<std::string>& options) const
+  {
+    std::vector<std::string> all = {scan_,
+                                    file("hulls.obj"),
+                                    "--merging",
+                                    "hull",
+                                    "--verify",
+                                    "--report",
+                                    file("report.json")};
+    all.insert(all.end(), options.begin(), options.end());
+    abstract(all);
+    return nlohmann::json::parse(readText(file("report.json")));
+  }
+};
+
+TEST_F(HullFittingTool, MakesSoManyPartsAndSaysWhatTheyRefuse)
+{
+  const nlohmann::json report = reportOf({"--parts", "6", "--robot-radius", "0.1"});
+  EXPECT_EQ(report["parts"].size(), 6u);
+  EXPECT_EQ(report["parameters"]["merging"], "hull");
+  EXPECT_EQ(report["parameters"]["robot_radius"], 0.1);
+  EXPECT_LE(report["places"]["refused"], report["places"]["free"]);
+  std::size_t points = 0;
+  for (const nlohmann::json& part : report["parts"])
+    points += part["points"].get<std::size_t>();
+  EXPECT_EQ(points, report["points"]["finite"]);
+}
+
+TEST_F(HullFittingTool, KeepsTheBoundAndVerifiesIt)
+{
+  const nlohmann::json tight = reportOf({"--max-error", "0.3"});
+  const nlohmann::json loose = reportOf({"--max-error", "1"});
+  EXPECT_GE(tight["parts"].size(), loose["parts"].size());
+  EXPECT_EQ(tight["parameters"]["max_error"], 0.3);
+}
+
+TEST_F(HullFittingTool, TakesViewpoints)
+{
+  writeText(file("viewpoints.json"), "[[0, 0, 1]]");
+  const nlohmann::json all = reportOf({"--parts", "4"});
+  const nlohmann::json seen =
+      reportOf({"--parts", "4", "--viewpoints", file("viewpoints.json")});
+  EXPECT_LE(seen["places"]["free"], all["places"]["free"]);
+  reportOf({"--parts", "4", "--viewpoints", "cloud"});
+}
+
+TEST_F(HullFittingTool, RefusesOptionsThatDoNotGoTogether)
+{
+  const std::vector<std::vector<std::string>> refused = {
+      {"--merging", "hull"},
+      {"--parts", "3", "--max-error", "0.1"},
+      {"--parts", "3", "--robot-radius", "0.1"},
+      {"--parts", "3", "--viewpoints", "cloud"},
+      {"--merging", "hull", "--threshold", "0.1"},
+      {"--merging", "hull", "--max-error", "0.1", "--merges", "3"},
+      {"--merging", "hull", "--parts", "3", "--tree", "tree.json"},
+      {"--merging", "hull", "--parts", "3", "--curve", "curve.csv"},
+      {"--merging", "hull", "--max-error", "0"},
+      {"--merging", "hull", "--parts", "3", "--robot-radius", "-1"},
+      {"--merging", "volume", "--parts", "3"}};
+  for (const std::vector<std::string>& options : refused) {
+    std::vector<std::string> all = {scan_, file("hulls.obj")};
+    all.insert(all.end(), options.begin(), options.end());
+    EXPECT_EQ(run("pcl_cid_abstract", all).exit_code, 2)
+        << options.front() << " ... " << options.back();
+  }
+}
+
+/** A wall of points, one a centimetre, at x = 0. */
+CloudPoints
+wallOfPoints()
+{
+  CloudPoints wall;
+  wall.points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (int y = -50; y <= 50; ++y)
+    for (int z = -50; z <= 50; ++z)
+      wall.points->emplace_back(
+          0.0f, 0.01f * static_cast<float>(y), 0.01f * static_cast<float>(z));
+  return wall;
+}
+
+/** A box before the wall, from x = 0 to here. */
+TriangleMesh
+boxBeforeWall(double depth)
+{
+  TriangleMesh box;
+  for (int k = 0; k < 8; ++k)
+    box.vertices.emplace_back((k & 1) != 0 ? depth : 0.0,
+                              (k & 2) != 0 ? 0.2 : -0.2,
+                              (k & 4) != 0 ? 0.2 : -0.2);
+  box.triangles = {{{0, 2, 1}},
+                   {{1, 2, 3}},
+                   {{4, 5, 6}},
+                   {{5, 7, 6}},
+                   {{0, 1, 4}},
+                   {{1, 5, 4}},
+                   {{2, 6, 3}},
+                   {{3, 6, 7}},
+                   {{0, 4, 2}},
+                   {{2, 4, 6}},
+                   {{1, 3, 5}},
+                   {{3, 7, 5}}};
+  return box;
+}
+
+TEST(ErrorVerification, FindsWhatIsFartherThanTheBound)
+{
+  const CloudPoints wall = wallOfPoints();
+  const tools::ErrorVerification verification(wall, 0.1, {});
+  EXPECT_FALSE(verification.findTooFar(boxBeforeWall(0.09)));
+  EXPECT_TRUE(verification.findTooFar(boxBeforeWall(0.12)));
+}
+
+TEST(ErrorVerification, WhatNobodySawIsNoError)
+{
+  const CloudPoints wall = wallOfPoints();
+  const tools::ErrorVerification before(wall, 0.1, {{2.0, 0.0, 0.0}});
+  EXPECT_FALSE(before.findTooFar(boxBeforeWall(0.13))); // less than 4/3 of the bound
+  EXPECT_TRUE(before.findTooFar(boxBeforeWall(0.3)));
+  const tools::ErrorVerification behind(wall, 0.1, {{-2.0, 0.0, 0.0}});
+  EXPECT_FALSE(behind.findTooFar(boxBeforeWall(0.3)));
+}
+
+} // namespace
+} // namespace pcl_cid::test
