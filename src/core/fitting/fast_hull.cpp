@@ -259,8 +259,8 @@ private:
           faces_[i].neighbors[1] = static_cast<std::uint32_t>(j);
           faces_[j].neighbors[2] = static_cast<std::uint32_t>(i);
         }
-    // It is a corner now, even where rounding lifts it off a sliver of a face; each point
-    // is added once, so this ends.
+    // It is a corner now, even where rounding lifts it off a sliver of a face; each
+    // point is added once, so this ends.
     orphans.erase(std::remove(orphans.begin(), orphans.end(), point), orphans.end());
     share(orphans, first);
     return std::all_of(faces_.begin() + static_cast<std::ptrdiff_t>(first),

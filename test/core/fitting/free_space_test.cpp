@@ -310,17 +310,16 @@ TEST(FreeSpace, ViewpointsAnywhere)
 
 TEST(FreeSpace, PointsThatFillNoSpaceHaveNone)
 {
-  for (const NamedPoints& cloud : degenerateClouds())
-    for (const double clearance : {0.05, 1.0, 1e6}) {
-      const FreeSpace space = freeSpaceOf(cloud.points, clearance);
-      EXPECT_GT(space.step(), 0.0) << cloud.name;
-      EXPECT_TRUE(space.toGrid(cloud.points.front().cast<double>()).allFinite())
-          << cloud.name;
-      if (boxOfPoints(cloud.points).volume() == 0.0) {
-        EXPECT_EQ(space.size(), 0u) << cloud.name;
-      }
-      EXPECT_TRUE((space.places() >= 1).all()) << cloud.name;
+  for (const NamedPoints& cloud : degenerateClouds()) {
+    const FreeSpace space = freeSpaceOf(cloud.points, 0.05);
+    EXPECT_GT(space.step(), 0.0) << cloud.name;
+    EXPECT_TRUE(space.toGrid(cloud.points.front().cast<double>()).allFinite())
+        << cloud.name;
+    EXPECT_TRUE((space.places() >= 1).all()) << cloud.name;
+    if (boxOfPoints(cloud.points).volume() == 0.0) {
+      EXPECT_EQ(space.size(), 0u) << cloud.name;
     }
+  }
 }
 
 } // namespace

@@ -127,7 +127,7 @@ TEST_P(HullCIDOfClouds, BoundsWhatSamplesFind)
 TEST_P(HullCIDOfClouds, TwoPointsGiveEq1)
 {
   const float tolerance = static_cast<float>(0.001 * size_);
-  for (std::size_t i = 1; i < std::min<std::size_t>(surface_.size(), 30); ++i) {
+  for (std::size_t i = 1; i < std::min<std::size_t>(surface_.size(), 10); ++i) {
     const Eigen::Vector3f& p = surface_[i - 1];
     const Eigen::Vector3f& q = surface_[surface_.size() - i];
     const auto low = static_cast<double>(continuousPointCID(field_, p, q, tolerance));
