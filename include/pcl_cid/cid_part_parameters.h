@@ -140,8 +140,9 @@ public:
   }
 
   /** \brief Where the scan was taken from, in the frame of the input cloud, when
-   * merging by hull: only places that were seen count as free. The default is none: all
-   * count. \throws CIDException when one is not finite */
+   *  merging by hull: only places that were seen count as free. The default is none:
+   *  all count.
+   *  \throws CIDException when one is not finite */
   void
   setViewpoints(const std::vector<Eigen::Vector3d>& viewpoints);
 

@@ -54,9 +54,10 @@ Cell
 makeCell(pcl::Indices points, const FittingScene& scene);
 
 /** \brief Divide cells in two, by planes, where that frees most places; cells that
- * break the bound on the error come first, whatever their number. \param[in] cells at
- * least one \param[in] most no more are made, but for the sake of the bound \throws
- * CIDException when the bound needs more than most_cells_for_bound */
+ *  break the bound on the error come first, whatever their number.
+ *  \param[in] cells at least one
+ *  \param[in] most no more are made, but for the sake of the bound
+ *  \throws CIDException when the bound needs more than most_cells_for_bound */
 std::vector<Cell>
 divideCells(std::vector<Cell> cells,
             std::size_t most,

@@ -12,7 +12,6 @@
 #include "even_sampler.h"
 #include "fitting/cell.h"
 #include "hulls.h"
-#include "portable_draw.h"
 #include "prepared_points.h"
 #include "room_scene.h"
 
@@ -91,24 +90,6 @@ smallRoom(std::size_t points)
   return prepared(sampleRoomEvenly(makeRoom(room), points, 62).points);
 }
 
-/** Two walls that meet at a right angle, with a little noise. */
-Points
-twoWalls(std::size_t count)
-{
-  RandomGenerator generator(63);
-  Points points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto along = static_cast<float>(3.0 * drawUnit(generator));
-    const auto across = static_cast<float>(0.005 * drawUnit(generator));
-    const auto up = static_cast<float>(2.0 * drawUnit(generator));
-    if (i % 2 == 0)
-      points.emplace_back(along, across, up);
-    else
-      points.emplace_back(across, along, up);
-  }
-  return points;
-}
-
 class HullFittingOfClouds : public testing::TestWithParam<NamedPoints> {};
 
 TEST_P(HullFittingOfClouds, EveryPointHasAPart)
@@ -168,41 +149,6 @@ TEST(HullFitting, FewPoints)
         expectNumbered(fitting, count, what);
         EXPECT_LE(fitting.parts, std::min(parts, count)) << what;
       }
-}
-
-TEST(HullFitting, AsManyPartsAsAskedForWhereThereIsMuchToFree)
-{
-  const PreparedScan::ConstPtr scan = smallRoom(500);
-  std::size_t refused = std::numeric_limits<std::size_t>::max();
-  for (const std::size_t parts : {1u, 12u}) {
-    const HullFitting fitting = fitHulls(*scan, fittingOf(parts));
-    expectNumbered(fitting, scan->points().size(), std::to_string(parts));
-    EXPECT_EQ(fitting.parts, parts);
-    EXPECT_LT(fitting.refused_places, refused);
-    refused = fitting.refused_places;
-  }
-}
-
-TEST(HullFitting, OneHullForEachOfTwoWalls)
-{
-  const PreparedScan::ConstPtr scan = prepared(twoWalls(3000));
-  HullFittingSettings settings = fittingOf(2);
-  settings.robot_radius = setting::robot_radius.initial;
-  const HullFitting fitting = fitHulls(*scan, settings);
-  ASSERT_EQ(fitting.parts, 2u);
-  const ConvexPartOptions options;
-  const std::vector<ConvexPart> parts =
-      makeConvexParts(scan->points(), fitting.part, options, {});
-  const double whole = partOf(scan->points().points).volume;
-  EXPECT_LT(parts[0].volume + parts[1].volume, 0.03 * whole);
-  std::size_t strays = 0;
-  for (std::size_t i = 0; i < fitting.part.size(); ++i) {
-    const Eigen::Vector3f& p = scan->points().points[i];
-    const bool is_in_corner = p.x() < 0.05f && p.y() < 0.05f;
-    const int wall = p.y() < 0.01f ? fitting.part[0] : 1 - fitting.part[0];
-    strays += !is_in_corner && fitting.part[i] != wall ? 1 : 0;
-  }
-  EXPECT_EQ(strays, 0u);
 }
 
 /** Places that the hulls of given parts refuse, counted as fitHulls() does. */
