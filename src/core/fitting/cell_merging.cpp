@@ -58,6 +58,11 @@ public:
       parts_.push_back({cell, {}, true});
       take(cell);
     }
+    Eigen::AlignedBox3d all;
+    for (const Part& part : parts_)
+      all.extend(boxAround(part.cell.hull, 0.0));
+    extent_ = all.diagonal().norm();
+    gap_ = firstGap();
     linkNeighbors();
   }
 
@@ -67,7 +72,7 @@ public:
     const std::size_t begun_with = left_;
     while (left_ > parts) {
       const std::vector<Pair> cheapest = findCheapest(1 + (left_ - parts) / 64);
-      if (cheapest.empty() && !linkAll())
+      if (cheapest.empty() && !linkFarther())
         break;
       for (const Pair& pair : cheapest)
         join(pair);
@@ -121,40 +126,48 @@ private:
     queue_.push({guess, false, std::min(a, b), std::max(a, b)});
   }
 
-  /** Link the parts whose boxes are nearer than a robot can pass, or, where the robot
-   * is large, nearer than a small share of the scan. */
-  void
-  linkNeighbors()
+  /** A robot cannot pass between neighbors; or, where the robot is large, they are
+   * nearer than a small share of the scan. */
+  double
+  firstGap() const
   {
-    Eigen::AlignedBox3d all;
-    for (const Part& part : parts_)
-      all.extend(boxAround(part.cell.hull, 0.0));
-    const double gap =
-        std::min(std::max(1.5 * scene_.robot_radius, scene_.space.step()),
-                 all.diagonal().norm() / 30.0);
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Part& part : parts_)
-      boxes.push_back(boxAround(part.cell.hull, 0.5 * gap));
-    for (std::size_t a = 0; a < parts_.size(); ++a)
-      for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        if (boxes[a].intersects(boxes[b]))
-          link(a, b, 0.0);
+    return std::min(std::max(1.5 * scene_.robot_radius, scene_.space.step()),
+                    extent_ / 30.0);
   }
 
-  /** When no neighbors are left to join: everything is a neighbor. False when it was
-   *  already. */
+  /** Link parts whose boxes are nearer than the gap and that are no neighbors yet. */
   bool
-  linkAll()
+  linkNeighbors()
   {
-    bool any = false;
+    std::vector<std::size_t> alive;
+    std::vector<Eigen::AlignedBox3d> boxes;
     for (std::size_t a = 0; a < parts_.size(); ++a)
-      for (std::size_t b = a + 1; b < parts_.size(); ++b)
-        if (parts_[a].is_alive && parts_[b].is_alive &&
-            parts_[a].neighbors.count(b) == 0) {
-          link(a, b, 0.0);
+      if (parts_[a].is_alive) {
+        alive.push_back(a);
+        boxes.push_back(boxAround(parts_[a].cell.hull, 0.5 * gap_));
+      }
+    bool any = false;
+    for (std::size_t i = 0; i < alive.size(); ++i)
+      for (std::size_t j = i + 1; j < alive.size(); ++j)
+        if (boxes[i].intersects(boxes[j]) &&
+            parts_[alive[i]].neighbors.count(alive[j]) == 0) {
+          link(alive[i], alive[j], 0.0);
           any = true;
         }
     return any;
+  }
+
+  /** When no neighbors are left to join: look for some farther away. False when there
+   * are none anywhere. */
+  bool
+  linkFarther()
+  {
+    while (gap_ < extent_) {
+      gap_ *= 2.0;
+      if (linkNeighbors())
+        return true;
+    }
+    return false;
   }
 
   FastHull
@@ -295,6 +308,8 @@ private:
   Progress& progress_;
   std::vector<unsigned char> taken_; ///< for each place, whether a part takes it
   std::size_t left_;
+  double extent_ = 0.0;     ///< of the scan, metres
+  double gap_ = 0.0;        ///< between neighbors, metres
   std::vector<Part> parts_; ///< the cells, then what was joined, in order
   std::priority_queue<Pair> queue_;
   std::map<std::pair<std::size_t, std::size_t>, double> known_;

@@ -22,17 +22,16 @@ constexpr double usual_places = 1 << 20;
 constexpr double most_places = 1 << 24;
 constexpr double most_places_a_side = 2048.0;
 
-/** Fine enough for the clearance, and for the scan as a whole; never 0, not even where
- *  all points are in one place. */
+/** Fine enough for the clearance, and for the scan as a whole, but not finer than a
+ * robot that is large next to the scan needs. */
 double
 stepFor(const Eigen::AlignedBox3d& box, double clearance)
 {
   const double volume = box.volume();
-  const double step =
-      std::max({std::min(clearance / 3.0, std::cbrt(volume / usual_places)),
-                std::cbrt(volume / most_places),
-                box.sizes().maxCoeff() / most_places_a_side});
-  return step > 0.0 ? step : clearance / 3.0;
+  return std::max({std::min(clearance / 3.0, std::cbrt(volume / usual_places)),
+                   clearance / 12.0,
+                   std::cbrt(volume / most_places),
+                   box.sizes().maxCoeff() / most_places_a_side});
 }
 
 /** Floors and walls stand upright and square; no layer of places is parallel to one, or
