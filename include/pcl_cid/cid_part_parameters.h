@@ -95,7 +95,7 @@ public:
   /** \brief What reconstruct() puts parts together by: their group CID (the paper, and
    *  the default), or the hull that comes out, which leaves more free space free (see
    *  fitHulls()). By hull, it needs setNumberOfParts() or setMaxError(), or both: the
-   *  bound comes first then. segment() always goes by CID, which is better for labels.
+   *  bound comes first then. segment() always goes by CID.
    */
   void
   setMergingRule(MergingRule merging_rule)
