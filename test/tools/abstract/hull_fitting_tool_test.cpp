@@ -7,7 +7,7 @@
  * pcl_cid_abstract --merging hull: options, report, and the bound in --verify.
  */
 
-#include "error_verification.h"
+#include "abstract/error_verification.h"
 #include "tool_process.h"
 
 #include <nlohmann/json.hpp>
