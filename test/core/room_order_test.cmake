@@ -12,7 +12,7 @@
 cmake_minimum_required(VERSION 3.22)
 
 # The order, written down once more: what the build files say is what is tested.
-set(order base field cid scan grouping merging hull)
+set(order base field cid scan grouping merging hull fitting)
 if(ROOM STREQUAL "score")
   set(allowed base score)
 else()
@@ -31,6 +31,7 @@ set(public_of_scan prepared_scan)
 set(public_of_grouping grouping)
 set(public_of_merging group_merging)
 set(public_of_hull convex_part hull_guarantees hull_tightness)
+set(public_of_fitting hull_cid hull_fitting)
 set(public_of_score evaluation instance_overlaps)
 
 # The includes that must be possible and those that must not.

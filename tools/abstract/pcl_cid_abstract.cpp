@@ -115,6 +115,9 @@ fit(Abstraction& abstraction, const LoadedScan& scan, Run& run, AbstractedScan& 
   coverFilePoints(scan, result.hull_options, result.parts);
   result.dropped_points = abstraction.getNumberOfDroppedPoints();
   const HullFitting& fitting = abstraction.getHullFitting();
+  run.report.points_in = scan.points.points->size();
+  run.report.points_finite = scan.points.finite;
+  run.report.points_grouped = fitting.part.size();
   run.report.places = {fitting.free_places, fitting.refused_places};
   run.end(std::to_string(result.parts.size()) + " hulls, " +
               percent(run.report.places->refusedShare()) +

@@ -218,7 +218,7 @@ bool
 isOffUntilGiven(const std::string& name)
 {
   return name == "start_index" || name == "parts" || name == "threshold" ||
-         name == "merges";
+         name == "merges" || name == "max_error";
 }
 
 std::string
