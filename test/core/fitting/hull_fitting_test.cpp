@@ -233,7 +233,7 @@ TEST(HullFitting, PlacesThatNobodySawDoNotCount)
 
 TEST(HullFitting, FewerPartsForALargerBound)
 {
-  const PreparedScan::ConstPtr scan = smallRoom(500);
+  const PreparedScan::ConstPtr scan = smallRoom(250);
   std::size_t parts = scan->points().size() + 1;
   for (const double max_error : {0.5, 0.9}) {
     const HullFitting fitting = fitHulls(*scan, fittingWithin(max_error));
@@ -267,7 +267,7 @@ class HullFittingThreads : public testing::TestWithParam<NamedFitting> {};
 
 TEST_P(HullFittingThreads, SameForAnyNumberOfThreads)
 {
-  const PreparedScan::ConstPtr scan = smallRoom(200);
+  const PreparedScan::ConstPtr scan = smallRoom(60);
   const HullFitting serial = fitHulls(*scan, GetParam().settings, onThreads(1));
   expectNumbered(serial, scan->points().size(), GetParam().name);
   EXPECT_GT(serial.parts, 1u);
@@ -288,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(Settings,
 
 TEST(HullFittingThreadProgress, NeverFallsAndEndsAtOne)
 {
-  const PreparedScan::ConstPtr scan = smallRoom(300);
+  const PreparedScan::ConstPtr scan = smallRoom(100);
   for (const unsigned int threads : {1u, 2u}) {
     ExecutionOptions execution = onThreads(threads);
     double last = 0.0;
@@ -308,7 +308,7 @@ TEST(HullFittingThreadProgress, NeverFallsAndEndsAtOne)
 
 TEST(HullFittingThreadProgress, CancelsAtAnyTime)
 {
-  const PreparedScan::ConstPtr scan = smallRoom(200);
+  const PreparedScan::ConstPtr scan = smallRoom(100);
   for (const unsigned int threads : {1u, 2u})
     for (const HullFittingSettings& settings : {fittingOf(20), fittingWithin(0.5)})
       for (const int calls : {0, 1}) {
