@@ -10,7 +10,7 @@
 #include "cell.h"
 
 #include "hull_cover.h"
-#include "hull_excess.h"
+#include "hull_search.h"
 
 #include <limits>
 #include <utility>
@@ -40,8 +40,9 @@ FittingScene::keepsBound(const FastHull& hull) const
 {
   if (max_error == std::numeric_limits<double>::infinity())
     return true;
-  return deep ? placesNear(hull, *deep, 0.0).empty()
-              : !strayFrom(hull, field, max_error);
+  if (!deep)
+    return !straysFarther(hull, field, max_error);
+  return visitPlacesNear(hull, *deep, 0.0, [](const PlaceRange&) { return false; });
 }
 
 Cell

@@ -159,17 +159,6 @@ placesNearCell(const Cell& cell)
   return count;
 }
 
-/** Diagonal of the box around a hull. Where a cell is smaller than a robot, the places
- * near it are near its points, and dividing it frees none. */
-double
-sizeOf(const Cell& cell)
-{
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : cell.hull.vertices)
-    box.extend(v);
-  return box.diagonal().norm();
-}
-
 /** A cell that may be divided. */
 struct Divisible {
   bool breaks_bound;
@@ -219,8 +208,9 @@ private:
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const Cell& cell = cells_[numbers[i]];
       const std::size_t places = placesNearCell(cell);
+      // What is near a cell that is smaller than a robot is near its points.
       const bool frees_places =
-          places > 0 && sizeOf(cell) > (2.0 / 3.0) * scene_.robot_radius;
+          places > 0 && diagonalOf(cell.hull) > (2.0 / 3.0) * scene_.robot_radius;
       if (cell.points.size() > 1 && (frees_places || breaks_bound[i] != 0))
         queue_.push({breaks_bound[i] != 0, places, numbers[i]});
     }

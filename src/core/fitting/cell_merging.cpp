@@ -34,13 +34,10 @@ constexpr double least_limit = 64.0;
 constexpr double volume_weight = 0.01;
 
 Eigen::AlignedBox3d
-boxAround(const FastHull& hull, double margin)
+grown(const Eigen::AlignedBox3d& box, double margin)
 {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : hull.vertices)
-    box.extend(v);
-  const Eigen::Vector3d grown = Eigen::Vector3d::Constant(margin);
-  return {box.min() - grown, box.max() + grown};
+  const Eigen::Vector3d by = Eigen::Vector3d::Constant(margin);
+  return {box.min() - by, box.max() + by};
 }
 
 /** Joins parts of a scan two at a time. The number of places that some part takes is
@@ -60,7 +57,7 @@ public:
     }
     Eigen::AlignedBox3d all;
     for (const Part& part : parts_)
-      all.extend(boxAround(part.cell.hull, 0.0));
+      all.extend(boxOf(part.cell.hull));
     extent_ = all.diagonal().norm();
     gap_ = firstGap();
     linkNeighbors();
@@ -144,7 +141,7 @@ private:
     for (std::size_t a = 0; a < parts_.size(); ++a)
       if (parts_[a].is_alive) {
         alive.push_back(a);
-        boxes.push_back(boxAround(parts_[a].cell.hull, 0.5 * gap_));
+        boxes.push_back(grown(boxOf(parts_[a].cell.hull), 0.5 * gap_));
       }
     bool any = false;
     for (std::size_t i = 0; i < alive.size(); ++i)

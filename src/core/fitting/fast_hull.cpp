@@ -9,6 +9,10 @@
 
 #include "fast_hull.h"
 
+#include "hull/box_mesh.h"
+#include "hull/clean_hull.h"
+#include "hull/principal_box.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -40,7 +44,7 @@ struct HorizonSide {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint32_t beyond;       ///< the face on the other side, which stays
-  std::size_t side_of_beyond; ///< which of its sides this is
+  std::size_t side_of_beyond; ///< which of its sides this is; 3 where it is none
 };
 
 /** Quickhull: the farthest point outside of a face takes the place of all faces that it
@@ -55,12 +59,18 @@ public:
     tolerance_ = 1e-9 * box.diagonal().norm();
   }
 
-  /** False when the points are flat, or rounding spoils the hull. */
+  /** Begin with a tetrahedron of far points; false when there is none, as the points
+   * are flat. */
+  bool
+  begin()
+  {
+    return points_.size() >= 4 && findTetrahedron();
+  }
+
+  /** False when rounding spoils the hull. */
   bool
   grow()
   {
-    if (points_.size() < 4 || !begin())
-      return false;
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
       while (faces_[f].is_alive && !faces_[f].outside.empty())
         if (!add(farthestOutside(f), f))
@@ -96,12 +106,7 @@ public:
                                 face_number[face.neighbors[2]]});
       hull.faces.push_back(face.half_space);
     }
-    const Eigen::Vector3d& apex = hull.vertices.front();
-    for (const Triangle& t : hull.triangles)
-      hull.volume +=
-          (hull.vertices[t[0]] - apex)
-              .dot((hull.vertices[t[1]] - apex).cross(hull.vertices[t[2]] - apex)) /
-          6.0;
+    hull.volume = volumeOf(hull);
     return hull;
   }
 
@@ -126,9 +131,8 @@ private:
     return best;
   }
 
-  /** A tetrahedron of far points. */
   bool
-  begin()
+  findTetrahedron()
   {
     const Eigen::Vector3d first = points_.front();
     const std::uint32_t a =
@@ -249,6 +253,8 @@ private:
     removeVisible(point, f, horizon, orphans);
     const std::size_t first = faces_.size();
     for (const HorizonSide& side : horizon) {
+      if (side.side_of_beyond == 3)
+        return false;
       const std::uint32_t made =
           addFace({side.begin, side.end, point}, {side.beyond, no_face, no_face});
       faces_[side.beyond].neighbors[side.side_of_beyond] = made;
@@ -276,13 +282,76 @@ private:
   std::vector<GrowingFace> faces_;
 };
 
+/** Whether each side is the other way around in the neighbor, so that the triangles
+ *  close, and are those of one sphere. */
+bool
+isClosed(const FastHull& hull)
+{
+  for (std::size_t f = 0; f < hull.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = hull.neighbors[f][k];
+      if (other >= hull.triangles.size())
+        return false;
+      const Triangle& back = hull.triangles[other];
+      bool is_mutual = false;
+      for (std::size_t j = 0; j < 3; ++j)
+        is_mutual = is_mutual || (hull.neighbors[other][j] == f &&
+                                  back[j] == hull.triangles[f][(k + 1) % 3] &&
+                                  back[(j + 1) % 3] == hull.triangles[f][k]);
+      if (!is_mutual)
+        return false;
+    }
+  // V - E + F = 2, and E = 3/2 F
+  return 2 * hull.vertices.size() == hull.triangles.size() + 4;
+}
+
+bool
+holdsAll(const FastHull& hull, const Corners& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points)
+    box.extend(p);
+  const double tolerance = 1e-8 * box.diagonal().norm();
+  return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p) {
+    return isInside(hull.faces, p, tolerance);
+  });
+}
+
+/** A hull that was made in another way, as one of these. */
+FastHull
+asFastHull(TriangleMesh mesh)
+{
+  FastHull hull;
+  static_cast<TriangleMesh&>(hull) = std::move(mesh);
+  hull.faces = halfSpacesOf(hull);
+  hull.volume = volumeOf(hull);
+  hull.neighbors.resize(hull.triangles.size());
+  const auto sideFrom = [&](std::uint32_t triangle, std::uint32_t begin) {
+    const Triangle& corners = hull.triangles[triangle];
+    return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), begin) -
+                                    corners.begin());
+  };
+  for (const HullEdge& edge : edgesOf(hull)) {
+    hull.neighbors[edge.triangle][sideFrom(edge.triangle, edge.begin)] = edge.neighbor;
+    hull.neighbors[edge.neighbor][sideFrom(edge.neighbor, edge.end)] = edge.triangle;
+  }
+  return hull;
+}
+
 } // namespace
 
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points)
 {
-  GrowingHull hull(points);
-  return hull.grow() ? hull.result() : FastHull();
+  GrowingHull growing(points);
+  if (!growing.begin())
+    return {};
+  if (growing.grow())
+    if (FastHull hull = growing.result(); isClosed(hull) && holdsAll(hull, points))
+      return hull;
+  TriangleMesh exact = convexHull(points);
+  return asFastHull(exact.triangles.empty() ? boxMesh(principalBox(points), 0)
+                                            : std::move(exact));
 }
 
 } // namespace pcl_cid

@@ -17,12 +17,10 @@
 
 namespace pcl_cid {
 
-/** \brief A convex body by its vertices and its faces. */
-struct FastHull {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<HalfSpace> faces;
-  std::vector<Triangle> triangles; ///< one for each face
-  std::vector<Triangle> neighbors; ///< the faces across its sides, in their order
+/** \brief The hull of some points, with what comparing hulls asks for. */
+struct FastHull : TriangleMesh {
+  std::vector<HalfSpace> faces;    ///< one for each triangle
+  std::vector<Triangle> neighbors; ///< the triangles across the sides of each, in order
   double volume = 0.0;             ///< cubic metres
 };
 
@@ -30,9 +28,10 @@ struct FastHull {
  * Huhdanpaa 1996).
  *
  *  It is for choosing between hulls, of which tens of thousands are made: several times
- *  faster than convexHull(), which makes those that are handed out. A point may be
- *  outside of a face by 1e-9 of the extent.
- *  \return no face when the points are flat */
+ *  faster than convexHull(), which makes those that are handed out. No point is outside
+ *  of a face by more than 1e-8 of the extent. Where rounding spoils that, it is
+ *  convexHull() after all, with its tolerance, and the box of the points where even
+ * that fails. \return no face when the points are flat */
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points);
 

@@ -20,24 +20,6 @@ namespace {
 
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
-Eigen::AlignedBox3d
-boxOfHull(const FastHull& hull)
-{
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : hull.vertices)
-    box.extend(v);
-  return box;
-}
-
-/** Whether a point is inside of a hull, and not just at its border. */
-bool
-isWellInside(const Eigen::Vector3d& p, const FastHull& hull, double margin)
-{
-  return std::all_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) {
-    return face.excess(p) <= -margin;
-  });
-}
-
 /** Hulls that shrink in turn, the smallest first. */
 class GivingAway {
 public:
@@ -45,7 +27,7 @@ public:
   : cells_(std::move(cells)), scene_(scene), progress_(progress)
   {
     for (const Cell& cell : cells_)
-      boxes_.push_back(boxOfHull(cell.hull));
+      boxes_.push_back(boxOf(cell.hull));
   }
 
   std::vector<Cell>
@@ -72,7 +54,7 @@ private:
     return others;
   }
 
-  /** For each point of a cell, the first other cell that it is inside of. */
+  /** For each point of a cell, the first other cell that it is well inside of. */
   std::vector<std::size_t>
   takersOf(std::size_t giver)
   {
@@ -101,7 +83,7 @@ private:
         scene_.points[static_cast<std::size_t>(point)].cast<double>();
     for (const std::size_t other : others)
       if (boxes_[other].contains(p) &&
-          isWellInside(p, cells_[other].hull, 0.2 * scene_.thickness))
+          isInside(cells_[other].hull.faces, p, -0.2 * scene_.thickness))
         return other;
     return nobody;
   }
@@ -124,7 +106,7 @@ private:
     if (!(smaller.hull.volume < cells_[giver].hull.volume))
       return;
     cells_[giver] = std::move(smaller);
-    boxes_[giver] = boxOfHull(cells_[giver].hull);
+    boxes_[giver] = boxOf(cells_[giver].hull);
     for (std::size_t i = 0; i < points.size(); ++i)
       if (takers[i] != nobody)
         cells_[takers[i]].points.push_back(points[i]);

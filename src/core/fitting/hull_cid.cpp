@@ -8,7 +8,7 @@
  */
 
 #include "base/sentence.h"
-#include "hull_excess.h"
+#include "hull_search.h"
 
 #include <pcl_cid/exceptions.h>
 
@@ -252,7 +252,7 @@ searchHull(const FastHull& hull,
 }
 
 bool
-strayFrom(const FastHull& hull, const DistanceField& field, double most)
+straysFarther(const FastHull& hull, const DistanceField& field, double most)
 {
   constexpr double share = 0.05;
   const HullCID cid = searchHull(hull, field, share * most, most);

@@ -74,9 +74,7 @@ contains(const TriangleMesh& hull, const Vertices& points, double tolerance)
 {
   const std::vector<HalfSpace> faces = halfSpacesOf(hull);
   return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p) {
-    return std::all_of(faces.begin(), faces.end(), [&](const HalfSpace& face) {
-      return face.excess(p) <= tolerance;
-    });
+    return isInside(faces, p, tolerance);
   });
 }
 

@@ -92,12 +92,30 @@ edgesOf(const TriangleMesh& mesh)
   return edges;
 }
 
-double
-diagonalOf(const TriangleMesh& mesh)
+bool
+isInside(const std::vector<HalfSpace>& half_spaces,
+         const Eigen::Vector3d& p,
+         double tolerance)
+{
+  return std::all_of(
+      half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
+        return half_space.excess(p) <= tolerance;
+      });
+}
+
+Eigen::AlignedBox3d
+boxOf(const TriangleMesh& mesh)
 {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& v : mesh.vertices)
     box.extend(v);
+  return box;
+}
+
+double
+diagonalOf(const TriangleMesh& mesh)
+{
+  const Eigen::AlignedBox3d box = boxOf(mesh);
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 

@@ -61,6 +61,17 @@ struct HullEdge {
 std::vector<HullEdge>
 edgesOf(const TriangleMesh& mesh);
 
+/** \brief Whether a point is inside of all half-spaces, or outside of none by more than
+ *  \a tolerance metres; below 0 it must be so far inside. */
+bool
+isInside(const std::vector<HalfSpace>& half_spaces,
+         const Eigen::Vector3d& p,
+         double tolerance = 0.0);
+
+/** \brief The axis-aligned bounding box. */
+Eigen::AlignedBox3d
+boxOf(const TriangleMesh& mesh);
+
 /** \brief Diagonal of the axis-aligned bounding box. */
 double
 diagonalOf(const TriangleMesh& mesh);

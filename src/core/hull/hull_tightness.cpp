@@ -80,20 +80,15 @@ fieldOfPoints(const PreparedScan::ConstPtr& scan, const TightnessOptions& option
 /** \brief Tells which points are inside a hull. */
 class Inside {
 public:
-  explicit Inside(const TriangleMesh& hull) : half_spaces_(halfSpacesOf(hull))
+  explicit Inside(const TriangleMesh& hull)
+  : box_(boxOf(hull)), half_spaces_(halfSpacesOf(hull))
   {
-    for (const Eigen::Vector3d& v : hull.vertices)
-      box_.extend(v);
   }
 
   bool
   operator()(const Eigen::Vector3d& p) const
   {
-    return box_.contains(p) && std::all_of(half_spaces_.begin(),
-                                           half_spaces_.end(),
-                                           [&](const HalfSpace& half_space) {
-                                             return half_space.excess(p) <= 0.0;
-                                           });
+    return box_.contains(p) && isInside(half_spaces_, p);
   }
 
 private:

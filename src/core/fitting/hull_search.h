@@ -24,9 +24,9 @@ searchHull(const FastHull& hull,
            double tolerance,
            double enough);
 
-/** \brief Whether some place of a hull is farther than this from the surface; for a
- *  hull that is within 5 % of it, it may say so, too. */
+/** \brief Whether some place of a hull is farther than this from the surface. False is
+ *  certain; true may also be said of a hull that comes within 5 % of it. */
 bool
-strayFrom(const FastHull& hull, const DistanceField& field, double most);
+straysFarther(const FastHull& hull, const DistanceField& field, double most);
 
 } // namespace pcl_cid
