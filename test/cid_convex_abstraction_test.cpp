@@ -53,6 +53,19 @@ expectPartition(const std::vector<pcl::PointIndices>& parts,
   EXPECT_EQ(all, selected);
 }
 
+/** Two parts: those of twoBoxes(), whose points take turns. */
+void
+expectTheTwoBoxes(const std::vector<ConvexPart>& parts)
+{
+  ASSERT_EQ(parts.size(), 2u);
+  for (const ConvexPart& part : parts) {
+    for (const pcl::index_t index : part.indices)
+      EXPECT_EQ(index % 2, part.indices.front() % 2);
+    EXPECT_NEAR(part.volume, 1.0, 0.1);
+    EXPECT_FALSE(part.thickened);
+  }
+}
+
 TEST(CIDConvexAbstraction, MergesByHull)
 {
   const Points points = twoBoxes(600, 101);
@@ -63,12 +76,7 @@ TEST(CIDConvexAbstraction, MergesByHull)
   abstraction.setNumberOfParts(2);
   abstraction.setRobotRadius(0.05);
   abstraction.reconstruct(parts);
-  ASSERT_EQ(parts.size(), 2u);
-  for (const ConvexPart& part : parts) {
-    for (const pcl::index_t index : part.indices)
-      EXPECT_EQ(index % 2, part.indices.front() % 2);
-    EXPECT_NEAR(part.volume, 1.0, 0.1);
-  }
+  expectTheTwoBoxes(parts);
   EXPECT_EQ(abstraction.getHullFitting().parts, 2u);
   EXPECT_TRUE(abstraction.getProposal().seeds.empty()); // no group was needed
 
@@ -101,13 +109,7 @@ TEST(CIDConvexAbstraction, TwoBoxesBecomeTwoParts)
   abstraction.setNumberOfParts(2);
   std::vector<ConvexPart> parts;
   abstraction.reconstruct(parts);
-  ASSERT_EQ(parts.size(), 2u);
-  for (const ConvexPart& part : parts) {
-    for (const pcl::index_t index : part.indices)
-      EXPECT_EQ(index % 2, part.indices.front() % 2);
-    EXPECT_NEAR(part.volume, 1.0, 0.1);
-    EXPECT_FALSE(part.thickened);
-  }
+  expectTheTwoBoxes(parts);
 }
 
 TEST(CIDConvexAbstraction, EachCutGivesThatManyPartsAndAPartition)

@@ -9,6 +9,8 @@
 
 #include "cloud_files.h"
 
+#include <pcl_cid/exceptions.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -106,6 +108,20 @@ readText(const std::string& path)
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+std::string
+complaintAbout(const std::string& begin, const std::function<void()>& read)
+{
+  try {
+    read();
+  }
+  catch (const CIDException& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind(begin, 0), 0u) << message;
+    return message.substr(begin.size());
+  }
+  return "none";
 }
 
 std::vector<std::uint8_t>

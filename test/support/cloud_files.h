@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,11 @@ appendField(const std::string& name,
   }
   cloud = grown;
 }
+
+/** \brief What is said of a file when it is read; "none" when nothing is.
+ *  \param[in] begin what it begins with, and is left out: the name of the file */
+std::string
+complaintAbout(const std::string& begin, const std::function<void()>& read);
 
 /** \brief The bytes of a field, point by point; empty when there is no such field. */
 std::vector<std::uint8_t>

@@ -49,23 +49,42 @@ configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
   abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
 }
 
-/** Where the scan was taken from, in the frame of its points; none when nobody says. */
-std::vector<Eigen::Vector3d>
-localViewpoints(const AbstractSettings& settings, const LoadedScan& scan)
+/** Where scanners stood. */
+using Viewpoints = std::vector<Eigen::Vector3d>;
+
+bool
+hasViewpointFile(const AbstractSettings& settings)
 {
-  if (settings.viewpoints.empty())
-    return {};
+  return !settings.viewpoints.empty() && settings.viewpoints != "cloud";
+}
+
+/** Files that must never be written over. */
+std::vector<std::string>
+inputsOf(const AbstractSettings& settings)
+{
+  std::vector<std::string> inputs = inputFiles(settings);
+  if (hasViewpointFile(settings))
+    inputs.push_back(settings.viewpoints);
+  return inputs;
+}
+
+/** Where the scan was taken from, in the frame of its points; none when nobody says.
+ *  \param[in] read what is in the file, where one was given */
+Viewpoints
+localViewpoints(const AbstractSettings& settings,
+                Viewpoints read,
+                const LoadedScan& scan)
+{
   if (settings.viewpoints == "cloud")
     return {scan.points.points->sensor_origin_.head<3>().cast<double>()};
-  std::vector<Eigen::Vector3d> viewpoints = readViewpoints(settings.viewpoints);
-  for (Eigen::Vector3d& viewpoint : viewpoints)
+  for (Eigen::Vector3d& viewpoint : read)
     viewpoint = scan.points.frame.toLocal(viewpoint);
-  return viewpoints;
+  return read;
 }
 
 void
 configureFitting(const AbstractSettings& settings,
-                 const LoadedScan& scan,
+                 const Viewpoints& viewpoints,
                  Abstraction& abstraction)
 {
   abstraction.setMergingRule(settings.merging);
@@ -73,7 +92,7 @@ configureFitting(const AbstractSettings& settings,
     abstraction.setMaxError(*settings.max_error);
   if (settings.robot_radius)
     abstraction.setRobotRadius(*settings.robot_radius);
-  abstraction.setViewpoints(localViewpoints(settings, scan));
+  abstraction.setViewpoints(viewpoints);
 }
 
 /** What became of the scan. */
@@ -148,12 +167,15 @@ decompose(Abstraction& abstraction,
 }
 
 AbstractedScan
-abstract(const AbstractSettings& settings, const LoadedScan& scan, Run& run)
+abstract(const AbstractSettings& settings,
+         const LoadedScan& scan,
+         const Viewpoints& viewpoints,
+         Run& run)
 {
   Abstraction abstraction;
   configure(settings, scan, run.console, abstraction);
   configureMerging(settings, abstraction);
-  configureFitting(settings, scan, abstraction);
+  configureFitting(settings, viewpoints, abstraction);
   abstraction.setInputCloud(scan.points.points);
   AbstractedScan result;
   const bool by_hull = settings.merging == MergingRule::hull;
@@ -272,7 +294,9 @@ verify(const AbstractSettings& settings,
 
 /** What checks the bound on the error: padding comes on top of it. */
 std::optional<ErrorVerification>
-errorVerification(const AbstractSettings& settings, const LoadedScan& scan)
+errorVerification(const AbstractSettings& settings,
+                  const LoadedScan& scan,
+                  const Viewpoints& viewpoints)
 {
   if (!settings.max_error)
     return std::nullopt;
@@ -280,21 +304,25 @@ errorVerification(const AbstractSettings& settings, const LoadedScan& scan)
                                           scan.points,
                                           *settings.max_error +
                                               std::sqrt(3.0) * settings.hulls.padding,
-                                          localViewpoints(settings, scan));
+                                          viewpoints);
 }
 
 void
 runAbstract(const AbstractSettings& settings)
 {
-  Run run(abstract_tool, settings.quiet, inputFiles(settings));
+  Run run(abstract_tool, settings.quiet, inputsOf(settings));
   announceOutputs(settings, run.outputs);
+  const Viewpoints read =
+      hasViewpointFile(settings) ? readViewpoints(settings.viewpoints) : Viewpoints();
   LoadedScan scan = loadScan(settings, run);
+  const Viewpoints viewpoints = localViewpoints(settings, read, scan);
   requireOutputsCanHold(settings, scan, run);
-  const AbstractedScan result = abstract(settings, scan, run);
+  const AbstractedScan result = abstract(settings, scan, viewpoints, run);
   describe(settings, result, run);
   const SceneDescription scene = save(settings, result, scan.cloud, run);
   if (settings.verify) {
-    const std::optional<ErrorVerification> error = errorVerification(settings, scan);
+    const std::optional<ErrorVerification> error =
+        errorVerification(settings, scan, viewpoints);
     verify(settings,
            {result.parts,
             scan.points,

@@ -74,7 +74,7 @@ mergeCells(const std::vector<Cell>& cells,
            ProgressSpan span);
 
 /** \brief Points that are inside of several hulls stay in one of them; the other hulls
- *  shrink. */
+ *  shrink. The points of each cell are in order then. */
 std::vector<Cell>
 giveAway(std::vector<Cell> cells, const FittingScene& scene, Progress& progress);
 

@@ -30,8 +30,8 @@ struct FastHull : TriangleMesh {
  *  It is for choosing between hulls, of which tens of thousands are made: several times
  *  faster than convexHull(), which makes those that are handed out. No point is outside
  *  of a face by more than 1e-8 of the extent. Where rounding spoils that, it is
- *  convexHull() after all, with its tolerance, and the box of the points where even
- * that fails. \return no face when the points are flat */
+ *  convexHull() after all, with its tolerance, or else the box of the points.
+ *  \return no face when the points are flat */
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points);
 

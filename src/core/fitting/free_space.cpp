@@ -72,6 +72,62 @@ partInside(const Eigen::AlignedBox3d& box,
 
 } // namespace
 
+/** Tells which places are free, and finds them along a column. */
+class FreeSpace::Looking {
+public:
+  Looking(const FreeSpace& space,
+          const Eigen::AlignedBox3d& box,
+          const DistanceField& field,
+          double clearance,
+          const SeenSpace& seen)
+  : space_(space), box_(box), field_(field), clearance_(clearance), seen_(seen)
+  {
+  }
+
+  /** Add the runs of free places of a column. */
+  void
+  along(std::size_t x, std::size_t y, std::vector<Run>& runs) const
+  {
+    const Eigen::Vector3d first =
+        space_.turn_ *
+        (space_.first_ + space_.step_ * Eigen::Vector3d(static_cast<double>(x),
+                                                        static_cast<double>(y),
+                                                        0.0));
+    const Eigen::Vector3d step = space_.step_ * space_.turn_.col(2);
+    const ColumnPart inside = partInside(box_, first, step, space_.places_.z());
+    bool is_in_run = false;
+    for (int z = inside.low; z < inside.high; ++z) {
+      const bool is_free = isFree(first + static_cast<double>(z) * step);
+      if (is_free && !is_in_run)
+        runs.push_back({z, z, 0});
+      if (is_free)
+        runs.back().high = z + 1;
+      is_in_run = is_free;
+    }
+  }
+
+private:
+  bool
+  isFree(const Eigen::Vector3d& place) const
+  {
+    if (!box_.contains(place))
+      return false;
+    const Eigen::Vector3f x = place.cast<float>();
+    const DistanceBounds bounds = field_.bounds(x);
+    if (static_cast<double>(bounds.high) < clearance_)
+      return false;
+    return (static_cast<double>(bounds.low) >= clearance_ ||
+            static_cast<double>(field_.distance(x)) >= clearance_) &&
+           seen_.isSeen(place);
+  }
+
+  const FreeSpace& space_;
+  const Eigen::AlignedBox3d& box_;
+  const DistanceField& field_;
+  double clearance_;
+  const SeenSpace& seen_;
+};
+
 FreeSpace::FreeSpace(const Points& points,
                      const DistanceField& field,
                      double clearance,
@@ -91,46 +147,19 @@ FreeSpace::FreeSpace(const Points& points,
   first_ = turned.min().array() + 0.5 * step_;
   places_ = (turned.sizes() / step_).array().ceil().cast<int>().max(1);
   const SeenSpace seen(points, viewpoints, step_);
-
-  const auto isFree = [&](const Eigen::Vector3d& on_grid) {
-    const Eigen::Vector3d place = turn_ * on_grid;
-    if (!box.contains(place))
-      return false;
-    const Eigen::Vector3f x = place.cast<float>();
-    const DistanceBounds bounds = field.bounds(x);
-    if (static_cast<double>(bounds.high) < clearance)
-      return false;
-    return (static_cast<double>(bounds.low) >= clearance ||
-            static_cast<double>(field.distance(x)) >= clearance) &&
-           seen.isSeen(place);
-  };
+  const Looking looking(*this, box, field, clearance, seen);
   const auto rows = static_cast<std::size_t>(places_.y());
   const auto columns = static_cast<std::size_t>(places_.x());
   std::vector<std::vector<Run>> runs(rows);
   column_.assign(rows * columns + 1, 0);
   parallelFor(rows, 1, threads, progress, {}, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin * columns; c < end * columns; ++c) {
-      std::vector<Run>& of_row = runs[c / columns];
-      const std::size_t before = of_row.size();
-      Eigen::Vector3d place = first_;
-      place.x() += step_ * static_cast<double>(c % columns);
-      place.y() += step_ * static_cast<double>(c / columns);
-      const ColumnPart inside_box =
-          partInside(box, turn_ * place, step_ * turn_.col(2), places_.z());
-      bool inside = false;
-      for (int z = inside_box.low; z < inside_box.high; ++z) {
-        place.z() = first_.z() + step_ * z;
-        if (!isFree(place)) {
-          inside = false;
-          continue;
-        }
-        if (!inside)
-          of_row.push_back({z, z, 0});
-        of_row.back().high = z + 1;
-        inside = true;
+    for (std::size_t y = begin; y < end; ++y)
+      for (std::size_t x = 0; x < columns; ++x) {
+        const std::size_t before = runs[y].size();
+        looking.along(x, y, runs[y]);
+        column_[y * columns + x + 1] =
+            static_cast<std::uint32_t>(runs[y].size() - before);
       }
-      column_[c + 1] = static_cast<std::uint32_t>(of_row.size() - before);
-    }
   });
   std::partial_sum(column_.begin(), column_.end(), column_.begin());
   for (const std::vector<Run>& of_row : runs)

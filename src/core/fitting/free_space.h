@@ -107,6 +107,8 @@ public:
   }
 
 private:
+  class Looking;
+
   struct Run {
     std::int32_t low;     ///< along z
     std::int32_t high;    ///< one past the last

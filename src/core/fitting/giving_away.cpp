@@ -40,6 +40,7 @@ public:
     });
     for (const std::size_t giver : order)
       give(giver);
+    renew();
     return std::move(cells_);
   }
 
@@ -110,6 +111,24 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i)
       if (takers[i] != nobody)
         cells_[takers[i]].points.push_back(points[i]);
+  }
+
+  /** The hulls of what cells hold now: a point inside of a hull is thick, too, and may
+   *  reach beyond it by that. */
+  void
+  renew()
+  {
+    parallelFor(cells_.size(),
+                1,
+                scene_.threads,
+                progress_,
+                {},
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t i = begin; i < end; ++i) {
+                    std::sort(cells_[i].points.begin(), cells_[i].points.end());
+                    cells_[i] = makeCell(std::move(cells_[i].points), scene_);
+                  }
+                });
   }
 
   std::vector<Cell> cells_;

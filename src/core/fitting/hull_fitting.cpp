@@ -97,8 +97,6 @@ bestOfRounds(const FittingScene& scene, std::size_t parts, Progress& progress)
 std::vector<int>
 numbered(std::vector<Cell> cells, std::size_t points)
 {
-  for (Cell& cell : cells)
-    std::sort(cell.points.begin(), cell.points.end());
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return a.points.front() < b.points.front();
   });

@@ -14,18 +14,15 @@
 #include <limits>
 
 namespace pcl_cid {
+namespace {
 
-SeenSpace::SeenSpace(const Points& points,
-                     const std::vector<Eigen::Vector3d>& viewpoints,
-                     double margin)
-: margin_(margin)
-{
-  for (const Eigen::Vector3d& viewpoint : viewpoints)
-    cubes_.push_back(cubeOf(points, viewpoint, viewpoints.size() == 1, margin));
-}
+/** A cube around a viewpoint has six faces of side x side cells, of a degree each. */
+constexpr int side = 90;
+constexpr std::size_t cells = 6u * side * side;
 
+/** The cell that a ray goes through. */
 std::size_t
-SeenSpace::cellOf(const Eigen::Vector3d& direction, int side)
+cellOf(const Eigen::Vector3d& direction)
 {
   Eigen::Index axis = 0;
   const double longest = direction.cwiseAbs().maxCoeff(&axis);
@@ -38,23 +35,31 @@ SeenSpace::cellOf(const Eigen::Vector3d& direction, int side)
                                   cellAlong((axis + 2) % 3));
 }
 
+} // namespace
+
+SeenSpace::SeenSpace(const Points& points,
+                     const std::vector<Eigen::Vector3d>& viewpoints,
+                     double margin)
+: margin_(margin)
+{
+  for (const Eigen::Vector3d& viewpoint : viewpoints)
+    cubes_.push_back(cubeOf(points, viewpoint, viewpoints.size() == 1, margin));
+}
+
 SeenSpace::RangeCube
 SeenSpace::cubeOf(const Points& points,
                   const Eigen::Vector3d& viewpoint,
                   bool is_only_one,
                   double margin)
 {
-  constexpr int cells_of_a_degree = 90;
-  RangeCube cube{viewpoint, cells_of_a_degree, {}};
-  const std::size_t cells = 6u * cells_of_a_degree * cells_of_a_degree;
+  RangeCube cube{viewpoint, std::vector<float>(cells, 0.0f)};
   std::vector<float> nearest(cells, std::numeric_limits<float>::infinity());
-  cube.farthest.assign(cells, 0.0f);
   const auto forEachPoint = [&](const auto& visit) {
     for (const Eigen::Vector3f& p : points) {
       const Eigen::Vector3d direction = p.cast<double>() - viewpoint;
       const auto range = static_cast<float>(direction.norm());
       if (range > 0.0f)
-        visit(cellOf(direction, cube.side), range);
+        visit(cellOf(direction), range);
     }
   };
   if (!is_only_one)
@@ -77,7 +82,7 @@ SeenSpace::isSeen(const Eigen::Vector3d& place) const
            const double range = direction.norm();
            return range == 0.0 ||
                   range + margin_ <=
-                      static_cast<double>(cube.farthest[cellOf(direction, cube.side)]);
+                      static_cast<double>(cube.farthest[cellOf(direction)]);
          });
 }
 

@@ -38,12 +38,8 @@ public:
 private:
   struct RangeCube {
     Eigen::Vector3d center;
-    int side;
-    std::vector<float> farthest; ///< six faces of side x side cells; 0: nothing seen
+    std::vector<float> farthest; ///< of each cell; 0: nothing seen
   };
-
-  static std::size_t
-  cellOf(const Eigen::Vector3d& direction, int side);
 
   static RangeCube
   cubeOf(const Points& points,

@@ -12,6 +12,7 @@
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/output_files.h>
+#include <pcl_cid/io/viewpoints.h>
 
 #include <cstdint>
 #include <exception>
@@ -101,8 +102,7 @@ declareMethodOptions(Settings& settings, CommandLine& line)
   line.text("viewpoints",
             "FILE",
             settings.viewpoints,
-            "where sensors stood: `sensor_positions` in a JSON file; default: the pose "
-            "in SCAN");
+            "where sensors stood (JSON or a table); default: the pose in SCAN");
   line.setting(
       setting::threads, settings.threads, "of CID: the others have one thread");
 }
@@ -257,7 +257,7 @@ measureAll(const PeerScan& scan, std::vector<PeerRun> runs)
 void
 comparePeers(const Settings& settings)
 {
-  std::vector<Eigen::Vector3f> viewpoints;
+  std::vector<Eigen::Vector3d> viewpoints;
   if (!settings.viewpoints.empty())
     viewpoints = readViewpoints(settings.viewpoints);
   const PeerScan scan = readPeerScan(settings.scan, viewpoints);

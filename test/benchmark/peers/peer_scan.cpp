@@ -14,12 +14,9 @@
 #include <pcl_cid/io/output_files.h>
 
 #include <algorithm>
-#include <fstream>
 #include <ostream>
 
 #include <pcl/common/point_tests.h>
-
-#include <nlohmann/json.hpp>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -36,25 +33,8 @@ select(const std::vector<std::uint32_t>& values, const pcl::Indices& source)
 
 } // namespace
 
-std::vector<Eigen::Vector3f>
-readViewpoints(const std::string& path)
-{
-  std::vector<Eigen::Vector3f> viewpoints;
-  try {
-    std::ifstream file(path);
-    for (const nlohmann::json& p : nlohmann::json::parse(file).at("sensor_positions"))
-      viewpoints.emplace_back(
-          p.at(0).get<float>(), p.at(1).get<float>(), p.at(2).get<float>());
-  }
-  catch (const nlohmann::json::exception& error) {
-    throw CIDException(path + ": is no JSON file with `sensor_positions`, a list of " +
-                       "[x, y, z]: " + error.what());
-  }
-  return viewpoints;
-}
-
 PeerScan
-readPeerScan(const std::string& path, const std::vector<Eigen::Vector3f>& viewpoints)
+readPeerScan(const std::string& path, const std::vector<Eigen::Vector3d>& viewpoints)
 {
   PeerScan scan;
   scan.file = readCloud(path);
@@ -77,8 +57,8 @@ readPeerScan(const std::string& path, const std::vector<Eigen::Vector3f>& viewpo
   if (hasField(scan.file, "semantic"))
     scan.truth.semantic = select(labelsOf(scan.file, "semantic", points), scan.source);
   const Eigen::Vector3f offset = points.frame.origin.cast<float>();
-  for (const Eigen::Vector3f& v : viewpoints)
-    scan.viewpoints.emplace_back(v - offset);
+  for (const Eigen::Vector3d& v : viewpoints)
+    scan.viewpoints.emplace_back(points.frame.toLocal(v).cast<float>());
   if (viewpoints.empty())
     scan.viewpoints.emplace_back(scan.file.sensor_origin.head<3>() - offset);
   scan.is_organized = scan.file.fields.height > 1;

@@ -39,18 +39,12 @@ struct PeerScan {
   bool is_organized = false;
 };
 
-/** \brief Where sensors stood: `sensor_positions` in a JSON file such as that beside a
- *  generated room.
- *  \throws CIDException when it cannot be read or has none */
-std::vector<Eigen::Vector3f>
-readViewpoints(const std::string& path);
-
 /** \brief Read a scan with the field `label` and perhaps `semantic`.
  *  \param[in] viewpoints where sensors stood; empty for the one of the file
  *  \throws CIDException when it cannot be read, has no such field, no finite point or
  *  no instance */
 PeerScan
-readPeerScan(const std::string& path, const std::vector<Eigen::Vector3f>& viewpoints);
+readPeerScan(const std::string& path, const std::vector<Eigen::Vector3d>& viewpoints);
 
 /** \brief The file with a label for each of the finite points, 0 for all others.
  *  \param[in] path ends in .pcd or .ply */

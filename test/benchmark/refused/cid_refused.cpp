@@ -10,6 +10,8 @@
 #include "hull_files.h"
 #include "refusal_table.h"
 #include "refused_places.h"
+#include "run/command_line.h"
+#include "run/run.h"
 
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/exceptions.h>
@@ -20,12 +22,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <iostream>
 #include <limits>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,6 +35,7 @@ namespace pcl_cid::benchmarks {
 namespace {
 
 namespace po = boost::program_options;
+using tools::UsageError;
 
 constexpr const char* about =
     "Usage: cid_refused SCAN HULLS [HULLS ...] [options]\n\n"
@@ -82,12 +83,6 @@ struct RefusedSettings {
   PlaceOptions options;
 };
 
-/** The command line is wrong. */
-class WrongUsage : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /** An option for a row, with its range and its help. */
 template <typename Value, typename Target>
 void
@@ -99,7 +94,7 @@ addNumber(const NumberSetting<Value>& row,
   std::replace(name.begin(), name.end(), '_', '-');
   const auto take = [name, &row, &target](const Value& value) {
     if (!row.allows(value))
-      throw WrongUsage("--" + name + " is out of its range; it must be " +
+      throw UsageError("--" + name + " is out of its range; it must be " +
                        rangeOf(row));
     target = value;
   };
@@ -143,9 +138,9 @@ void
 requireFiles(const RefusedSettings& settings)
 {
   if (settings.hulls.empty())
-    throw WrongUsage("SCAN and HULLS are needed, at least 2 file names");
+    throw UsageError("SCAN and HULLS are needed, at least 2 file names");
   if (!settings.viewpoints.empty() && settings.has_viewpoint_of_cloud)
-    throw WrongUsage("--viewpoints and --viewpoint-of-cloud exclude each other; give "
+    throw UsageError("--viewpoints and --viewpoint-of-cloud exclude each other; give "
                      "one of them");
 }
 
@@ -167,7 +162,7 @@ readArguments(int argc, const char* const* argv, RefusedSettings& settings)
     po::notify(values);
   }
   catch (const po::error& error) {
-    throw WrongUsage(error.what());
+    throw UsageError(error.what());
   }
   if (values.count("help") != 0) {
     std::cout << about << '\n' << described;
@@ -264,19 +259,9 @@ int
 main(int argc, char** argv)
 {
   using namespace pcl_cid::benchmarks;
-  // Unlike the tools, it may be stopped by a signal at any time.
-  try {
+  return pcl_cid::tools::runTool("cid_refused", [&] {
     RefusedSettings settings;
     if (readArguments(argc, argv, settings))
       measureAll(settings);
-  }
-  catch (const WrongUsage& error) {
-    std::cerr << "cid_refused: " << error.what() << "; see cid_refused --help\n";
-    return 2;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "cid_refused: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  });
 }

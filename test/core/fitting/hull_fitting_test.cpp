@@ -206,9 +206,8 @@ TEST(HullFitting, RefusesFewerPlacesThanMergingByCID)
     const HullFitting fitting = fitHulls(*scan, fittingOf(parts));
     const std::size_t by_cid = refusedByParts(*scan, merged, fittingOf(parts));
     EXPECT_LE(fitting.refused_places, by_cid);
-    // Hulls of points alone may be smaller than those that were compared.
-    const std::size_t again = refusedByParts(*scan, fitting.part, fittingOf(parts));
-    EXPECT_LE(again, fitting.refused_places + fitting.refused_places / 20);
+    EXPECT_EQ(refusedByParts(*scan, fitting.part, fittingOf(parts)),
+              fitting.refused_places);
   }
 }
 

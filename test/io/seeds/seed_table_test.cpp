@@ -46,15 +46,7 @@ protected:
   std::string
   complaint(const std::string& text)
   {
-    try {
-      read(text);
-    }
-    catch (const CIDException& error) {
-      const std::string message = error.what();
-      EXPECT_EQ(message.rfind(path_, 0), 0u) << message;
-      return message.substr(path_.size());
-    }
-    return "none";
+    return complaintAbout(path_, [&] { read(text); });
   }
 
   TemporaryFolder folder_;

@@ -32,15 +32,7 @@ protected:
   std::string
   complaint(const std::string& text)
   {
-    try {
-      read(text);
-    }
-    catch (const CIDException& error) {
-      const std::string message = error.what();
-      EXPECT_EQ(message.rfind(path_ + ": ", 0), 0u) << message;
-      return message.substr(path_.size() + 2);
-    }
-    return "none";
+    return complaintAbout(path_ + ": ", [&] { read(text); });
   }
 
   const std::vector<Eigen::Vector3d> two_{{1, 2, 3}, {-4.5, 0, 1e15}};

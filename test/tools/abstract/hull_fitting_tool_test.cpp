@@ -67,6 +67,25 @@ TEST_F(HullFittingTool, TakesViewpoints)
   reportOf({"--parts", "4", "--viewpoints", "cloud"});
 }
 
+TEST_F(HullFittingTool, NeverWritesOverTheViewpoints)
+{
+  const std::string viewpoints = file("viewpoints.json");
+  writeText(viewpoints, "[[0, 0, 1]]");
+  const ToolRun ran = run("pcl_cid_abstract",
+                          {scan_,
+                           file("hulls.obj"),
+                           "--merging",
+                           "hull",
+                           "--parts",
+                           "3",
+                           "--viewpoints",
+                           viewpoints,
+                           "--report",
+                           viewpoints});
+  EXPECT_EQ(ran.exit_code, 1);
+  EXPECT_EQ(readText(viewpoints), "[[0, 0, 1]]");
+}
+
 TEST_F(HullFittingTool, RefusesOptionsThatDoNotGoTogether)
 {
   const std::vector<std::vector<std::string>> refused = {
