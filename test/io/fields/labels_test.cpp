@@ -43,7 +43,7 @@ TYPED_TEST(LabelField, IsConvertedByItsType)
 
 template <typename Value>
 std::string
-complaintAbout(Value value)
+complaintAboutValue(Value value)
 {
   LabelledCloud cloud = threePoints();
   appendField<Value>("truth", {1, value, 5}, cloud.fields);
@@ -66,14 +66,15 @@ TEST(HasField, IsAboutTheWholeName)
 
 TEST(LabelsOf, RefusesWhatIsNoLabel)
 {
-  EXPECT_NE(complaintAbout<std::int8_t>(-2).find("point 1 is -2"), std::string::npos);
-  EXPECT_NE(complaintAbout<std::int32_t>(-7).find("is -7"), std::string::npos);
-  EXPECT_NE(complaintAbout(1.5f).find("is 1.5"), std::string::npos);
-  EXPECT_NE(complaintAbout(4294967296.0), "");
-  EXPECT_NE(complaintAbout(std::numeric_limits<float>::infinity()), "");
-  EXPECT_NE(complaintAbout(std::uint64_t{4294967296}), "");
-  EXPECT_EQ(complaintAbout(std::uint64_t{4294967295}), "");
-  EXPECT_EQ(complaintAbout(4294967295.0), "");
+  EXPECT_NE(complaintAboutValue<std::int8_t>(-2).find("point 1 is -2"),
+            std::string::npos);
+  EXPECT_NE(complaintAboutValue<std::int32_t>(-7).find("is -7"), std::string::npos);
+  EXPECT_NE(complaintAboutValue(1.5f).find("is 1.5"), std::string::npos);
+  EXPECT_NE(complaintAboutValue(4294967296.0), "");
+  EXPECT_NE(complaintAboutValue(std::numeric_limits<float>::infinity()), "");
+  EXPECT_NE(complaintAboutValue(std::uint64_t{4294967296}), "");
+  EXPECT_EQ(complaintAboutValue(std::uint64_t{4294967295}), "");
+  EXPECT_EQ(complaintAboutValue(4294967295.0), "");
 }
 
 template <typename Value>
