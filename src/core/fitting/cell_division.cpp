@@ -106,7 +106,7 @@ tryPlane(const std::vector<Eigen::Vector3d>& points,
     sides[heights[i] < offset ? 0 : 1].push_back(points[i]);
   if (sides[0].empty() || sides[1].empty())
     return;
-  const double volume = fastHull(sides[0]).volume + fastHull(sides[1]).volume;
+  const double volume = hullVolume(sides[0]) + hullVolume(sides[1]);
   const auto unevenness =
       static_cast<double>(std::max(sides[0].size(), sides[1].size()) -
                           std::min(sides[0].size(), sides[1].size()));

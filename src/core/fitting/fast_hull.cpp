@@ -27,15 +27,18 @@ namespace {
 
 using Corners = std::vector<Eigen::Vector3d>;
 
-constexpr std::uint32_t no_face = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-/** A face while the hull grows. */
+/** A face while the hull grows. The points that only this face is asked about are a
+ *  chain: allocating memory for each face would take as long as all else. */
 struct GrowingFace {
-  Triangle corners; ///< counter-clockwise from outside
-  std::array<std::uint32_t, 3>
-      neighbors; ///< across the side from each corner to the next
+  Triangle corners;   ///< counter-clockwise from outside
+  Triangle neighbors; ///< across the side from each corner to the next
   HalfSpace half_space;
-  std::vector<std::uint32_t> outside{}; ///< points that only this face is asked about
+  std::uint32_t first = none; ///< of the chain
+  std::uint32_t last = none;
+  std::uint32_t farthest = none; ///< the first of those farthest outside
+  double distance = 0.0;         ///< of the farthest
   bool is_alive = true;
 };
 
@@ -57,6 +60,7 @@ public:
     for (const Eigen::Vector3d& p : points)
       box.extend(p);
     tolerance_ = 1e-9 * box.diagonal().norm();
+    faces_.reserve(256);
   }
 
   /** Begin with a tetrahedron of far points; false when there is none, as the points
@@ -72,8 +76,8 @@ public:
   grow()
   {
     for (std::uint32_t f = 0; f < faces_.size(); ++f)
-      while (faces_[f].is_alive && !faces_[f].outside.empty())
-        if (!add(farthestOutside(f), f))
+      if (faces_[f].is_alive && faces_[f].farthest != none)
+        if (!add(faces_[f].farthest, f))
           return false;
     return true;
   }
@@ -82,8 +86,8 @@ public:
   result() const
   {
     FastHull hull;
-    std::vector<std::uint32_t> number(points_.size(), no_face);
-    std::vector<std::uint32_t> face_number(faces_.size(), no_face);
+    std::vector<std::uint32_t> number(points_.size(), none);
+    std::vector<std::uint32_t> face_number(faces_.size(), none);
     std::uint32_t faces = 0;
     for (std::size_t f = 0; f < faces_.size(); ++f)
       if (faces_[f].is_alive)
@@ -94,7 +98,7 @@ public:
       Triangle triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
         std::uint32_t& known = number[face.corners[k]];
-        if (known == no_face) {
+        if (known == none) {
           known = static_cast<std::uint32_t>(hull.vertices.size());
           hull.vertices.push_back(points_[face.corners[k]]);
         }
@@ -167,14 +171,13 @@ private:
     addFace({a, c, d}, {0, 2, 3});
     addFace({c, b, d}, {0, 3, 1});
     addFace({b, a, d}, {0, 1, 2});
-    std::vector<std::uint32_t> all(points_.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i)
-      all[i] = i;
-    share(all, 0);
+    next_.resize(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      share(i, 0);
   }
 
   std::uint32_t
-  addFace(const Triangle& corners, const std::array<std::uint32_t, 3>& neighbors)
+  addFace(const Triangle& corners, const Triangle& neighbors)
   {
     const Eigen::Vector3d& a = at(corners[0]);
     const Eigen::Vector3d normal =
@@ -183,54 +186,49 @@ private:
     return static_cast<std::uint32_t>(faces_.size() - 1);
   }
 
-  /** Give points to the first of the faces from \a first on that they are outside of.
-   */
+  /** Give a point to the first of the faces from \a begin on that it is outside of. */
   void
-  share(const std::vector<std::uint32_t>& points, std::size_t first)
+  share(std::uint32_t point, std::size_t begin)
   {
-    for (const std::uint32_t p : points)
-      for (std::size_t f = first; f < faces_.size(); ++f)
-        if (faces_[f].half_space.excess(at(p)) > tolerance_) {
-          faces_[f].outside.push_back(p);
-          break;
-        }
+    for (std::size_t f = begin; f < faces_.size(); ++f)
+      if (const double distance = faces_[f].half_space.excess(at(point));
+          distance > tolerance_)
+        return give(point, distance, faces_[f]);
   }
 
-  std::uint32_t
-  farthestOutside(std::uint32_t f) const
+  void
+  give(std::uint32_t point, double distance, GrowingFace& face)
   {
-    const GrowingFace& face = faces_[f];
-    return *std::max_element(face.outside.begin(),
-                             face.outside.end(),
-                             [&](std::uint32_t p, std::uint32_t q) {
-                               return face.half_space.excess(at(p)) <
-                                      face.half_space.excess(at(q));
-                             });
+    next_[point] = none;
+    (face.last == none ? face.first : next_[face.last]) = point;
+    face.last = point;
+    if (distance > face.distance) {
+      face.farthest = point;
+      face.distance = distance;
+    }
   }
 
-  /** Remove the faces that see a point, from \a f on; what is beyond their border. */
+  /** Find the faces that see a point, from \a f on. */
   void
-  removeVisible(std::uint32_t point,
-                std::uint32_t f,
-                std::vector<HorizonSide>& horizon,
-                std::vector<std::uint32_t>& orphans)
+  findVisible(std::uint32_t point, std::uint32_t f)
   {
-    std::vector<std::uint32_t> visible = {f};
+    visible_ = {f};
     faces_[f].is_alive = false;
-    for (std::size_t i = 0; i < visible.size(); ++i) {
-      const std::uint32_t seen = visible[i];
-      orphans.insert(
-          orphans.end(), faces_[seen].outside.begin(), faces_[seen].outside.end());
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = faces_[seen].neighbors[k];
+    for (std::size_t i = 0; i < visible_.size(); ++i)
+      for (const std::uint32_t other : faces_[visible_[i]].neighbors)
         if (faces_[other].is_alive &&
             faces_[other].half_space.excess(at(point)) > -tolerance_) {
           faces_[other].is_alive = false;
-          visible.push_back(other);
+          visible_.push_back(other);
         }
-      }
-    }
-    for (const std::uint32_t seen : visible)
+  }
+
+  /** What is beyond the border of the visible faces. */
+  void
+  findHorizon()
+  {
+    horizon_.clear();
+    for (const std::uint32_t seen : visible_)
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = faces_[seen].neighbors[k];
         if (!faces_[other].is_alive)
@@ -240,7 +238,7 @@ private:
         const Triangle& back = faces_[other].corners;
         const std::size_t side = static_cast<std::size_t>(
             std::find(back.begin(), back.end(), end) - back.begin());
-        horizon.push_back({begin, end, other, side});
+        horizon_.push_back({begin, end, other, side});
       }
   }
 
@@ -248,38 +246,61 @@ private:
   bool
   add(std::uint32_t point, std::uint32_t f)
   {
-    std::vector<HorizonSide> horizon;
-    std::vector<std::uint32_t> orphans;
-    removeVisible(point, f, horizon, orphans);
-    const std::size_t first = faces_.size();
-    for (const HorizonSide& side : horizon) {
+    findVisible(point, f);
+    findHorizon();
+    const std::size_t begin = faces_.size();
+    for (const HorizonSide& side : horizon_) {
       if (side.side_of_beyond == 3)
         return false;
       const std::uint32_t made =
-          addFace({side.begin, side.end, point}, {side.beyond, no_face, no_face});
+          addFace({side.begin, side.end, point}, {side.beyond, none, none});
       faces_[side.beyond].neighbors[side.side_of_beyond] = made;
     }
-    for (std::size_t i = first; i < faces_.size(); ++i)
-      for (std::size_t j = first; j < faces_.size(); ++j)
+    if (!linkFrom(begin))
+      return false;
+    for (const std::uint32_t seen : visible_)
+      shareAllOf(seen, begin, point);
+    return true;
+  }
+
+  /** Make neighbors of the new faces, which have a point in common; false when one
+   *  lacks a neighbor. */
+  bool
+  linkFrom(std::size_t begin)
+  {
+    for (std::size_t i = begin; i < faces_.size(); ++i)
+      for (std::size_t j = begin; j < faces_.size(); ++j)
         if (faces_[i].corners[1] == faces_[j].corners[0]) {
           faces_[i].neighbors[1] = static_cast<std::uint32_t>(j);
           faces_[j].neighbors[2] = static_cast<std::uint32_t>(i);
         }
-    // It is a corner now, even where rounding lifts it off a sliver of a face; each
-    // point is added once, so this ends.
-    orphans.erase(std::remove(orphans.begin(), orphans.end(), point), orphans.end());
-    share(orphans, first);
-    return std::all_of(faces_.begin() + static_cast<std::ptrdiff_t>(first),
+    return std::all_of(faces_.begin() + static_cast<std::ptrdiff_t>(begin),
                        faces_.end(),
                        [](const GrowingFace& face) {
-                         return face.neighbors[1] != no_face &&
-                                face.neighbors[2] != no_face;
+                         return face.neighbors[1] != none && face.neighbors[2] != none;
                        });
+  }
+
+  /** Share the points of a face that is gone among the new ones. The point that was
+   *  added is a corner now, even where rounding lifts it off a sliver of a face; each
+   *  point is added once, so this ends. */
+  void
+  shareAllOf(std::uint32_t gone, std::size_t begin, std::uint32_t added)
+  {
+    for (std::uint32_t p = faces_[gone].first; p != none;) {
+      const std::uint32_t following = next_[p];
+      if (p != added)
+        share(p, begin);
+      p = following;
+    }
   }
 
   const Corners& points_;
   double tolerance_;
   std::vector<GrowingFace> faces_;
+  std::vector<std::uint32_t> next_; ///< for each point, the one after it in its chain
+  std::vector<std::uint32_t> visible_;
+  std::vector<HorizonSide> horizon_;
 };
 
 /** Whether each side is the other way around in the neighbor, so that the triangles
@@ -305,15 +326,26 @@ isClosed(const FastHull& hull)
   return 2 * hull.vertices.size() == hull.triangles.size() + 4;
 }
 
+/** Asks all faces at once, which is faster than to end at the first that says no. */
 bool
 holdsAll(const FastHull& hull, const Corners& points)
 {
+  const auto count = static_cast<Eigen::Index>(hull.faces.size());
+  Eigen::ArrayX3d normals(count, 3);
+  Eigen::ArrayXd offsets(count);
+  for (Eigen::Index f = 0; f < count; ++f) {
+    const HalfSpace& face = hull.faces[static_cast<std::size_t>(f)];
+    normals.row(f) = face.normal;
+    offsets[f] = face.offset;
+  }
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points)
     box.extend(p);
   const double tolerance = 1e-8 * box.diagonal().norm();
   return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p) {
-    return isInside(hull.faces, p, tolerance);
+    return (normals.col(0) * p.x() + normals.col(1) * p.y() + normals.col(2) * p.z() -
+            offsets)
+               .maxCoeff() <= tolerance;
   });
 }
 
@@ -352,6 +384,15 @@ fastHull(const std::vector<Eigen::Vector3d>& points)
   TriangleMesh exact = convexHull(points);
   return asFastHull(exact.triangles.empty() ? boxMesh(principalBox(points), 0)
                                             : std::move(exact));
+}
+
+double
+hullVolume(const std::vector<Eigen::Vector3d>& points)
+{
+  GrowingHull growing(points);
+  if (!growing.begin())
+    return 0.0;
+  return growing.grow() ? growing.result().volume : fastHull(points).volume;
 }
 
 } // namespace pcl_cid

@@ -35,4 +35,8 @@ struct FastHull : TriangleMesh {
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points);
 
+/** \brief The volume of fastHull(), cubic metres, unchecked: for choosing only. */
+double
+hullVolume(const std::vector<Eigen::Vector3d>& points);
+
 } // namespace pcl_cid

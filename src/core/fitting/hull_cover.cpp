@@ -19,12 +19,26 @@
 namespace pcl_cid {
 namespace {
 
-/** A half-space in units of places: x, y, z count them from the first one. */
-struct GridPlane {
-  float x;
-  float y;
-  float z;
-  float offset;
+/** Of a half-space, in units of places, the border that a column crosses or runs along:
+ *  z = rest - x * X - y * Y, or else x * X + y * Y = rest. */
+struct GridBorder {
+  double x;
+  double y;
+  double rest;
+
+  /** What is left for X in a row. */
+  double
+  restOf(int row) const
+  {
+    return rest - y * row;
+  }
+};
+
+/** Half-spaces, by where they cut a column. */
+struct GridBorders {
+  std::vector<GridBorder> above;
+  std::vector<GridBorder> below;
+  std::vector<GridBorder> along;
 };
 
 /** Number of places from the first one. */
@@ -63,11 +77,12 @@ boundsOf(const FastHull& hull)
       bounds.push_back(face);
   }
   addBevels(hull, bounds);
-  for (HalfSpace& bound : bounds) {
-    bound.offset = -std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& v : hull.vertices)
-      bound.offset = std::max(bound.offset, bound.normal.dot(v));
-  }
+  const Eigen::MatrixX3d vertices =
+      Eigen::Map<const Eigen::Matrix3Xd>(
+          hull.vertices[0].data(), 3, static_cast<Eigen::Index>(hull.vertices.size()))
+          .transpose();
+  for (HalfSpace& bound : bounds)
+    bound.offset = (vertices * bound.normal).maxCoeff();
   return bounds;
 }
 
@@ -85,56 +100,103 @@ boxOf(const FastHull& hull, const FreeSpace& space, double radius)
   return {low.max(0.0).min(most).cast<int>(), high.max(0.0).min(most).cast<int>()};
 }
 
-std::vector<GridPlane>
-planesOnGrid(const FastHull& hull, const FreeSpace& space, double radius)
+GridBorders
+bordersOnGrid(const FastHull& hull, const FreeSpace& space, double radius)
 {
-  std::vector<GridPlane> planes;
+  // Across all of a column such a border is off by less than a thousandth of a place.
+  constexpr double upright = 1e-7;
+  GridBorders borders;
   for (const HalfSpace& bound : boundsOf(hull)) {
     const Eigen::Vector3d normal = space.turned(bound.normal);
-    const double offset =
+    const double rest =
         normal.dot(space.toGrid((bound.offset + radius) * bound.normal));
-    planes.push_back({static_cast<float>(normal.x()),
-                      static_cast<float>(normal.y()),
-                      static_cast<float>(normal.z()),
-                      static_cast<float>(offset)});
+    const double z = normal.z();
+    if (std::abs(z) <= upright)
+      borders.along.push_back({normal.x(), normal.y(), rest});
+    else
+      (z > 0.0 ? borders.above : borders.below)
+          .push_back({normal.x() / z, normal.y() / z, rest / z});
   }
-  return planes;
+  return borders;
 }
 
-/** From where to where the columns of a row are near a hull, along z. */
-struct RowOfColumns {
-  std::vector<float> low;
-  std::vector<float> high; ///< below low where none is
-
-  explicit RowOfColumns(std::size_t width) : low(width), high(width) {}
-
-  void
-  reset(const GridBox& box)
+/** A row of columns, and from where to where they are near a hull, along z. Heights are
+ *  counted from the box, which keeps them small enough for float. */
+class RowOfColumns {
+public:
+  explicit RowOfColumns(const GridBox& box)
+  : box_(box)
+  , low_(static_cast<std::size_t>(box.high.x() - box.low.x()))
+  , high_(low_.size())
   {
-    std::fill(low.begin(), low.end(), static_cast<float>(box.low.z()));
-    std::fill(high.begin(), high.end(), static_cast<float>(box.high.z() - 1));
   }
 
-  /** Cut off what is above a plane: x * plane.x + z * plane.z <= rest. */
   void
-  cut(const GridPlane& plane, float rest, int first)
+  cut(const GridBorders& borders, int y)
   {
-    // Across all of a column such a plane is off by less than a thousandth of a place.
-    constexpr float upright = 1e-7f;
-    const std::size_t width = low.size();
-    const auto x = [&](std::size_t i) {
-      return static_cast<float>(first + static_cast<int>(i));
+    begin_ = box_.low.x();
+    end_ = box_.high.x();
+    for (const GridBorder& border : borders.along)
+      narrow(border.x, border.restOf(y));
+    std::fill(low_.begin(), low_.end(), 0.0f);
+    std::fill(high_.begin(),
+              high_.end(),
+              static_cast<float>(box_.high.z() - 1 - box_.low.z()));
+    for (const GridBorder& border : borders.above)
+      cut(border, y, high_, [](float a, float b) { return a < b ? a : b; });
+    for (const GridBorder& border : borders.below)
+      cut(border, y, low_, [](float a, float b) { return a > b ? a : b; });
+  }
+
+  /** Call \a visit with x, the first z and one past the last z of each column. */
+  template <typename Visit>
+  void
+  forEachColumn(const Visit& visit) const
+  {
+    for (int x = begin_; x < end_; ++x) {
+      const auto i = static_cast<std::size_t>(x - begin_);
+      if (low_[i] <= high_[i])
+        visit(x,
+              box_.low.z() + static_cast<int>(std::ceil(low_[i])),
+              box_.low.z() + static_cast<int>(std::floor(high_[i])) + 1);
+    }
+  }
+
+private:
+  /** Keep the columns with x * X <= rest. */
+  void
+  narrow(double x, double rest)
+  {
+    const auto clamped = [&](double column) {
+      return static_cast<int>(
+          std::clamp(column, static_cast<double>(begin_), static_cast<double>(end_)));
     };
-    if (plane.z > upright)
-      for (std::size_t i = 0; i < width; ++i)
-        high[i] = std::min(high[i], (rest - plane.x * x(i)) / plane.z);
-    else if (plane.z < -upright)
-      for (std::size_t i = 0; i < width; ++i)
-        low[i] = std::max(low[i], (rest - plane.x * x(i)) / plane.z);
-    else
-      for (std::size_t i = 0; i < width; ++i)
-        high[i] = plane.x * x(i) > rest ? -1.0f : high[i];
+    if (x > 0.0)
+      end_ = clamped(std::floor(rest / x) + 1.0);
+    else if (x < 0.0)
+      begin_ = clamped(std::ceil(rest / x));
+    else if (rest < 0.0)
+      end_ = begin_;
   }
+
+  template <typename Choose>
+  void
+  cut(const GridBorder& border, int y, std::vector<float>& bound, const Choose& choose)
+  {
+    const auto first =
+        static_cast<float>(border.restOf(y) - border.x * begin_ - box_.low.z());
+    const auto slope = static_cast<float>(border.x);
+    const int count = end_ - begin_;
+    float* const of_column = bound.data();
+    for (int i = 0; i < count; ++i)
+      of_column[i] = choose(first - slope * static_cast<float>(i), of_column[i]);
+  }
+
+  GridBox box_;
+  int begin_ = 0;
+  int end_ = 0;
+  std::vector<float> low_;  ///< from the first column on that is left
+  std::vector<float> high_; ///< below low_ where none is
 };
 
 } // namespace
@@ -148,21 +210,17 @@ visitPlacesNear(const FastHull& hull,
   const GridBox box = boxOf(hull, space, radius);
   if (hull.faces.empty() || (box.low >= box.high).any())
     return true;
-  const std::vector<GridPlane> planes = planesOnGrid(hull, space, radius);
-  RowOfColumns row(static_cast<std::size_t>(box.high.x() - box.low.x()));
+  const GridBorders borders = bordersOnGrid(hull, space, radius);
+  RowOfColumns row(box);
   bool goes_on = true;
   for (int y = box.low.y(); y < box.high.y() && goes_on; ++y) {
-    row.reset(box);
-    for (const GridPlane& plane : planes)
-      row.cut(plane, plane.offset - plane.y * static_cast<float>(y), box.low.x());
-    for (std::size_t i = 0; i < row.low.size() && goes_on; ++i)
-      if (row.low[i] <= row.high[i])
-        space.forEachRange(
-            box.low.x() + static_cast<int>(i),
-            y,
-            static_cast<int>(std::ceil(row.low[i])),
-            static_cast<int>(std::floor(row.high[i])) + 1,
-            [&](const PlaceRange& range) { goes_on = goes_on && visit(range); });
+    row.cut(borders, y);
+    row.forEachColumn([&](int x, int low, int high) {
+      if (goes_on)
+        space.forEachRange(x, y, low, high, [&](const PlaceRange& range) {
+          goes_on = goes_on && visit(range);
+        });
+    });
   }
   return goes_on;
 }
