@@ -9,6 +9,8 @@
 
 #include "hull_files.h"
 
+#include "obj_parts.h"
+
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/mesh_formats.h>
 
@@ -91,6 +93,19 @@ private:
   int parts_ = 0;
 };
 
+MeshParts
+readMeshes(const std::string& path)
+{
+  const MeshFormat& format = meshFormatOf(path);
+  if (format.name == "OBJ")
+    return readOBJParts(path);
+  if (!format.read)
+    throw CIDException(path + ": " + format.name +
+                       " is only written, not read; give "
+                       "the hulls in another format");
+  return {format.read(path), format.has_parts};
+}
+
 } // namespace
 
 std::vector<int>
@@ -115,16 +130,12 @@ piecesOf(const TriangleMesh& mesh)
 std::vector<ConvexPart>
 readHulls(const std::string& path, const Frame& frame, unsigned threads)
 {
-  const MeshFormat& format = meshFormatOf(path);
-  if (!format.read)
-    throw CIDException(path + ": " + format.name +
-                       " is only written, not read; give "
-                       "the hulls in another format");
   PartVertices parts(path);
-  for (const TriangleMesh& mesh : format.read(path))
+  const MeshParts file = readMeshes(path);
+  for (const TriangleMesh& mesh : file.meshes)
     parts.add(mesh,
-              format.has_parts ? std::vector<int>(mesh.vertices.size(), 0)
-                               : piecesOf(mesh),
+              file.has_names ? std::vector<int>(mesh.vertices.size(), 0)
+                             : piecesOf(mesh),
               frame);
   return parts.hulls(frame, threads);
 }

@@ -27,9 +27,9 @@ piecesOf(const TriangleMesh& mesh);
 
 /** \brief The convex hulls of the parts in a file.
  *
- *  A part is a mesh of the file; in formats that keep no parts apart, a connected piece
- *  of the mesh. It need not be convex itself: its hull is taken. What has no vertex is
- *  passed over.
+ *  A part is a mesh of the file (in an OBJ, see readOBJParts()); where parts are not
+ *  kept apart or have no names, a connected piece. It need not be convex itself: its
+ *  hull is taken. What has no vertex is passed over.
  *  \param[in] path of a format in the table of meshes (meshFormatOf())
  *  \param[in] frame of the scan that the hulls belong to
  *  \param[in] threads 0 for each processor

@@ -22,6 +22,12 @@
 namespace pcl_cid::benchmarks {
 namespace {
 
+/** A tetrahedron of volume 1/6, and one of 8/6, 5 m away along x. */
+const char* const small_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const char* const large_vertices = "v 5 0 0\nv 7 0 0\nv 5 2 0\nv 5 0 2\n";
+const char* const small_faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const char* const large_faces = "f 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n";
+
 class HullFiles : public testing::Test {
 protected:
   std::vector<ConvexPart>
@@ -29,6 +35,24 @@ protected:
   {
     test::writeText(folder_.file(name), text);
     return readHulls(folder_.file(name), Frame(), 1);
+  }
+
+  /** The two tetrahedra, in this order. */
+  void
+  expectBoth(const std::string& text)
+  {
+    const std::vector<ConvexPart> hulls = read("both.obj", text);
+    ASSERT_EQ(hulls.size(), 2u) << text;
+    EXPECT_NEAR(hulls[0].volume, 1.0 / 6.0, 1e-5) << text;
+    EXPECT_NEAR(hulls[1].volume, 8.0 / 6.0, 1e-5) << text;
+  }
+
+  /** What is said of a file, without its name. */
+  std::string
+  complaint(const std::string& text)
+  {
+    const std::string path = folder_.file("bad.obj");
+    return test::complaintAbout(path, [&] { read("bad.obj", text); });
   }
 
   test::TemporaryFolder folder_;
@@ -66,6 +90,77 @@ TEST_F(HullFiles, TakeTheHullOfAPartThatHasNone)
   EXPECT_EQ(hulls[0].hull.vertices.size(), 4u);
 }
 
+TEST_F(HullFiles, OfAnOBJHaveNamesInManyWays)
+{
+  const std::string small = std::string(small_vertices) + small_faces;
+  const std::string large = std::string(large_vertices) + large_faces;
+  const std::string vertices = std::string(small_vertices) + large_vertices;
+  expectBoth("o convex_0\n" + small + "o convex_1\n" + large); // V-HACD, CoACD, ours
+  expectBoth("o convex\n" + small + "o convex\n" + large);
+  expectBoth("g a\n" + small + "g b\n" + large);
+  expectBoth("o all\n" + vertices + "g a\n" + small_faces + "g b\n" + large_faces);
+  expectBoth("g default\n" + vertices + "g a\n" + small_faces + "g b\n" + large_faces);
+  expectBoth("o a\ng wood\n" + small + "o b\ng wood\n" + large);
+  expectBoth("o a\n" + small + "o b\ng wood\n" + large_vertices +
+             "f 5 7 6\nf 5 6 8\ng iron\nf 6 7 8\nf 5 8 7\n");
+  expectBoth("g a\n" + small + "g b\n" + large + "g a\nf 1 2 3\n"); // a goes on
+  expectBoth(small + large); // no name: connected pieces
+  expectBoth(vertices + small_faces + large_faces);
+  expectBoth(small + large + "v 100 100 100\n"); // in no piece
+}
+
+TEST_F(HullFiles, OfAnOBJAreWrittenInManyWays)
+{
+  const std::string small = std::string(small_vertices) + small_faces;
+  expectBoth("# Blender\nmtllib a.mtl\no Cube\n" + std::string(small_vertices) +
+             "vn -0.5 0 1\nvt 0.25 1\ns 1\nusemtl Material\n"
+             "f 1/1/1 3/1/1 2/1/1\nf 1/1/1 2/1/1 4/1/1\nf 2//1 3//1 4//1\n"
+             "f 1/1 4/1 3/1\nl 1 2\ns off\no Cube.001\n" +
+             large_vertices + large_faces);
+  expectBoth("o a\n" + small + "o b\n" + large_vertices +
+             "f -4 -2 -3\nf -4/-1/-1 -3/-1/-1 -1/-1/-1\nf -3//-1 -2//-1 -1//-1\n");
+  expectBoth("o a\n" + small + "o b\n" + large_vertices +
+             "v 5 0.5 0.5\nf 5 7 9 8 6 # not even flat\n");
+  expectBoth("\n\t\n  o a\n" + small +
+             "o b\nv 5 0 0 1\nv 7. 0 0 .5 .5 .5\nv\t5 +2e0 0  # x\nv 5 0 2\n" +
+             large_faces);
+  std::string of_windows = "o a\n" + small + "o b\n" + large_vertices + large_faces;
+  for (std::size_t at = 0; (at = of_windows.find('\n', at)) != std::string::npos;
+       at += 2)
+    of_windows.insert(at, 1, '\r');
+  expectBoth(of_windows);
+  of_windows.pop_back(); // the last line has no end
+  of_windows.pop_back();
+  expectBoth(of_windows);
+}
+
+TEST_F(HullFiles, OfAnOBJThatIsBrokenSayWhere)
+{
+  const std::string small = std::string("o a\n") + small_vertices;
+  EXPECT_EQ(complaint("o a\nv 0 0\n"),
+            ": line 2: 'v 0 0' has fewer than the 3 coordinates of a vertex");
+  EXPECT_EQ(complaint("o a\r\nv 0 0 x\r\n"),
+            ": line 2: 'v 0 0 x' has 'x' where a finite number must be");
+  EXPECT_EQ(complaint("o a\nv 0 0 nan\n"),
+            ": line 2: 'v 0 0 nan' has 'nan' where a finite number must be");
+  EXPECT_EQ(complaint(small + "\nf 1 2\n"),
+            ": line 7: 'f 1 2' has fewer than the 3 corners of a face");
+  EXPECT_EQ(complaint(small + "f 1 2 5\n"),
+            ": line 6: 'f 1 2 5' names vertex 5; there are 4 before it");
+  EXPECT_EQ(complaint(small + "f 1 2 -5\n"),
+            ": line 6: 'f 1 2 -5' names vertex -5; there are 4 before it");
+  EXPECT_EQ(complaint(small + "f 0 1 2\n"),
+            ": line 6: 'f 0 1 2' names vertex 0; there are 4 before it");
+  EXPECT_EQ(complaint(small + "f 1 2 /3\n"),
+            ": line 6: 'f 1 2 /3' has '/3' where the number of a vertex must be");
+  EXPECT_EQ(
+      complaint(small + "f 1 2 99999999999999999999\n"),
+      ": line 6: 'f 1 2 99999999999999999999' has '99999999999999999999' where the "
+      "number of a vertex must be");
+  EXPECT_EQ(complaint(small + "curv 0 1 1 2\n"),
+            ": line 6: 'curv 0 1 1 2' is not understood");
+}
+
 TEST_F(HullFiles, FarAwayKeepTheirShape)
 {
   Frame frame;
@@ -82,6 +177,8 @@ TEST_F(HullFiles, WithoutAHullAreRefused)
 {
   EXPECT_THROW(read("none.obj", ""), CIDException);
   EXPECT_THROW(read("none.obj", "o a\n"), CIDException);
+  EXPECT_THROW(read("none.obj", "v 0 0 0\nv 1 1 1\n"), CIDException);
+  EXPECT_THROW(readHulls(folder_.file("absent.obj"), Frame(), 1), CIDException);
   EXPECT_THROW(read("huge.obj", "o a\nv 0 0 2e15\n"), CIDException);
   EXPECT_THROW(read("none.txt", ""), CIDException);
 }
