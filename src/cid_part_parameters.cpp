@@ -8,9 +8,12 @@
  */
 
 #include <pcl_cid/cid_part_parameters.h>
+#include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 
 namespace pcl_cid {
@@ -208,6 +211,21 @@ CIDPartParameters::makeParts(const PreparedScan& scan,
   for (const pcl::index_t source : points.source)
     part.push_back(part_of_each_point[static_cast<std::size_t>(source)]);
   return makeConvexParts(points, part, hull_options_, execution);
+}
+
+void
+CIDPartParameters::simplifyParts(const PreparedScan::ConstPtr& scan,
+                                 const ExecutionOptions& to_prepare,
+                                 const ExecutionOptions& to_simplify,
+                                 std::vector<ConvexPart>& parts) const
+{
+  std::optional<ErrorBound> bound;
+  if (merging_rule_ == MergingRule::hull && fitting_settings_.hasBound())
+    bound.emplace(scan,
+                  fitting_settings_.max_error + std::sqrt(3.0) * hull_options_.padding,
+                  fitting_settings_.viewpoints,
+                  to_prepare);
+  simplifyHulls(parts, scan->points().frame, bound ? &*bound : nullptr, to_simplify);
 }
 
 } // namespace pcl_cid

@@ -323,6 +323,36 @@ TEST(CIDConvexAbstraction, ProgressRisesOverAllSteps)
   EXPECT_TRUE(parts.empty());
 }
 
+TEST(CIDConvexAbstraction, SimplifiesHullsWithinTheBound)
+{
+  const Points points = twoBoxes(600, 113);
+  Abstraction abstraction = abstractionFor(toCloud(points));
+  const auto verticesOf = [](const std::vector<ConvexPart>& parts) {
+    std::size_t vertices = 0;
+    for (const ConvexPart& part : parts)
+      vertices += part.hull.vertices.size();
+    return vertices;
+  };
+  abstraction.setNumberOfParts(2);
+  abstraction.setPadding(0.02);
+  std::vector<std::size_t> vertices;
+  for (const MergingRule rule : {MergingRule::cid, MergingRule::hull}) {
+    abstraction.setMergingRule(rule);
+    if (rule == MergingRule::hull)
+      abstraction.setMaxError(1.0);
+    std::vector<ConvexPart> parts;
+    abstraction.reconstruct(parts);
+    vertices.push_back(verticesOf(parts));
+    abstraction.simplify(parts);
+    vertices.push_back(verticesOf(parts));
+    for (const ConvexPart& part : parts)
+      expectGuarantees(part, points, abstraction.getHullOptions(), "two boxes");
+  }
+  EXPECT_LT(vertices[1], vertices[0]);
+  EXPECT_LT(vertices[3], vertices[2]);
+  EXPECT_LE(vertices[3], 16u); // two boxes within a metre
+}
+
 TEST(CIDConvexAbstraction, HullsFollowTheirSettings)
 {
   Points points = twoBoxes(600, 110);

@@ -73,6 +73,14 @@ public:
   void
   reconstruct(const std::vector<int>& cut, std::vector<ConvexPart>& parts);
 
+  /** \brief Give the hulls of parts as few vertices as the error allows: that of
+   *  setMaxError() where parts are merged by hull, else a share of each hull's size
+   * (see simplifyHulls()). They hold their points as before. \param[in,out] parts of
+   * the last reconstruct(); the input must still be the same \throws CIDException,
+   * CIDCancelled */
+  void
+  simplify(std::vector<ConvexPart>& parts);
+
 private:
   /** \brief Algorithms 1 and 2, and the cut that the settings ask for.
    *  \param[in] until the share of the verb's progress that this makes up */

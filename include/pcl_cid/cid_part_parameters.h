@@ -194,7 +194,7 @@ public:
   }
 
   /** \brief Most vertices of a hull (see ConvexPartOptions): at least 4, or 0, the
-   *  default, for any number. */
+   *  default, for any number. CIDConvexAbstraction::simplify() finds numbers itself. */
   void
   setMaxVertices(int max_vertices);
 
@@ -262,6 +262,14 @@ protected:
   makeParts(const PreparedScan& scan,
             const std::vector<int>& part_of_each_point,
             const ExecutionOptions& execution) const;
+
+  /** \brief Simpler hulls of the parts (see simplifyHulls()), within the bound where
+   *  there is one: padding comes on top of it. */
+  void
+  simplifyParts(const PreparedScan::ConstPtr& scan,
+                const ExecutionOptions& to_prepare,
+                const ExecutionOptions& to_simplify,
+                std::vector<ConvexPart>& parts) const;
 
 private:
   /** \brief Change one hull option, unless it is out of its range. */

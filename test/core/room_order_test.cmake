@@ -30,8 +30,8 @@ set(public_of_cid cid_from concavity)
 set(public_of_scan prepared_scan)
 set(public_of_grouping grouping)
 set(public_of_merging group_merging)
-set(public_of_hull convex_part hull_guarantees hull_tightness)
-set(public_of_fitting hull_cid hull_fitting)
+set(public_of_hull convex_part hull_guarantees hull_primitive hull_tightness)
+set(public_of_fitting hull_cid hull_fitting hull_simplification)
 set(public_of_score evaluation instance_overlaps)
 
 # The includes that must be possible and those that must not.

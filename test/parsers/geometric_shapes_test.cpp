@@ -8,14 +8,17 @@
  */
 
 #include "exported_scene.h"
+#include "simple_bodies.h"
 
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/scene_formats.h>
 
 #include <fstream>
 #include <limits>
 #include <memory>
 
 #include <geometric_shapes/bodies.h>
+#include <geometric_shapes/body_operations.h>
 #include <geometric_shapes/shape_operations.h>
 #include <gtest/gtest.h>
 
@@ -120,6 +123,41 @@ TEST(GeometricShapes, ContainsThePointsOfThePart)
         EXPECT_FALSE(body.containsPoint(vertex + 0.5 * (vertex - middleOf(part.hull))));
     }
   });
+}
+
+TEST(GeometricShapes, ReadsPrimitivesThatHoldThePointsOfTheirParts)
+{
+  for (const Eigen::Vector3d& offset :
+       {Eigen::Vector3d(Eigen::Vector3d::Zero()), utmOffset()}) {
+    const SimpleBodies simple =
+        simpleBodies(findSceneFormat("MoveIt")->primitives, offset);
+    const TemporaryFolder folder;
+    writeText(folder.file("bodies.scene"), simple.textIn("MoveIt"));
+    std::string name;
+    const auto objects = readScene(folder.file("bodies.scene"), name);
+    ASSERT_EQ(objects.size(), simple.content.parts.size());
+    const shapes::ShapeType types[] = {
+        shapes::BOX, shapes::SPHERE, shapes::CYLINDER, shapes::CYLINDER};
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const HullPrimitive* primitive = primitiveOf(i, simple.description);
+      ASSERT_TRUE(objects[i].shape);
+      if (!primitive) {
+        EXPECT_EQ(objects[i].shape->type, shapes::MESH);
+        continue;
+      }
+      EXPECT_EQ(objects[i].shape->type, types[i]);
+      const std::unique_ptr<bodies::Body> body(
+          bodies::createBodyFromShape(objects[i].shape.get()));
+      body->setPose(objects[i].pose);
+      for (const pcl::index_t point : simple.content.parts[i].indices)
+        EXPECT_TRUE(
+            body->containsPoint(simple.content.points[static_cast<std::size_t>(point)]))
+            << partName(i);
+      EXPECT_NEAR(body->computeVolume(), volumeOf(*primitive), 1e-6);
+    }
+    EXPECT_FALSE(primitiveOf(4, simple.description));
+    EXPECT_TRUE(primitiveOf(2, simple.description));
+  }
 }
 
 } // namespace

@@ -8,10 +8,13 @@
  */
 
 #include "exported_scene.h"
+#include "simple_bodies.h"
 
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/scene_formats.h>
 
 #include <array>
+#include <fstream>
 #include <memory>
 #include <set>
 
@@ -167,6 +170,57 @@ TEST(MuJoCo, LetsABallFallPastTheTableTop)
   simulation.runTo(2.0);
   const double floor = boxOf(exported.parts()[0].hull).max().z();
   EXPECT_NEAR(simulation.data->qpos[2], floor + ball_radius, 1e-3);
+}
+
+HullPrimitive
+readShape(const Simulation& simulation, int geom)
+{
+  const mjModel& model = *simulation.model;
+  HullPrimitive read;
+  read.center =
+      Eigen::Map<const Eigen::Vector3d>(simulation.data->geom_xpos + 3 * geom);
+  read.axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+      simulation.data->geom_xmat + 9 * geom);
+  const Eigen::Map<const Eigen::Vector3d> size(model.geom_size + 3 * geom);
+  const double width = 2.0 * size[0];
+  switch (model.geom_type[geom]) {
+  case mjGEOM_BOX:
+    read.extents = 2.0 * size;
+    break;
+  case mjGEOM_SPHERE:
+    read.kind = HullPrimitive::Kind::sphere;
+    read.extents.setConstant(width);
+    break;
+  case mjGEOM_CYLINDER:
+    read.kind = HullPrimitive::Kind::cylinder;
+    read.extents = {width, width, 2.0 * size[1]};
+    break;
+  default:
+    read.kind = HullPrimitive::Kind::capsule;
+    read.extents = {width, width, 2.0 * size[1] + width};
+  }
+  return read;
+}
+
+TEST(MuJoCo, ReadsPrimitivesThatHoldThePointsOfTheirParts)
+{
+  for (const Eigen::Vector3d& offset :
+       {Eigen::Vector3d(Eigen::Vector3d::Zero()), utmOffset()}) {
+    const SimpleBodies bodies =
+        simpleBodies(findSceneFormat("MJCF")->primitives, offset);
+    const TemporaryFolder folder;
+    writeText(folder.file("scene.xml"), bodies.textIn("MJCF"));
+    std::ofstream mesh(folder.file("part_004.obj"));
+    writePartMesh(mesh, bodies.content.parts, 4, bodies.description);
+    mesh.close();
+    Simulation simulation(folder.file("scene.xml"));
+    ASSERT_EQ(simulation.model->ngeom, 5);
+    EXPECT_EQ(simulation.model->nmesh, 1);
+    mj_forward(simulation.model.get(), simulation.data.get());
+    for (int i = 0; i < 4; ++i)
+      expectHolds(readShape(simulation, i), bodies, static_cast<std::size_t>(i));
+    EXPECT_EQ(simulation.model->geom_type[4], mjGEOM_MESH);
+  }
 }
 
 } // namespace

@@ -8,8 +8,10 @@
  */
 
 #include "exported_scene.h"
+#include "simple_bodies.h"
 
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/scene_formats.h>
 
 #include <filesystem>
 
@@ -85,6 +87,54 @@ TEST(SDFormat, ReservesTheNamesThatWeRefuse)
                                   "che/1"}) {
     EXPECT_FALSE(has_errors(frame)) << frame;
     EXPECT_NO_THROW(requireFrameForSDF(frame)) << frame;
+  }
+}
+
+HullPrimitive
+readShape(const sdf::Collision& collision)
+{
+  HullPrimitive read;
+  const ignition::math::Pose3d& pose = collision.RawPose();
+  read.center = {pose.Pos().X(), pose.Pos().Y(), pose.Pos().Z()};
+  read.axes =
+      Eigen::Quaterniond(pose.Rot().W(), pose.Rot().X(), pose.Rot().Y(), pose.Rot().Z())
+          .toRotationMatrix();
+  const sdf::Geometry& shape = *collision.Geom();
+  if (shape.Type() == sdf::GeometryType::BOX) {
+    const auto size = shape.BoxShape()->Size();
+    read.extents = {size.X(), size.Y(), size.Z()};
+  }
+  else if (shape.Type() == sdf::GeometryType::SPHERE) {
+    read.kind = HullPrimitive::Kind::sphere;
+    read.extents.setConstant(2.0 * shape.SphereShape()->Radius());
+  }
+  else if (shape.Type() == sdf::GeometryType::CYLINDER) {
+    read.kind = HullPrimitive::Kind::cylinder;
+    const double width = 2.0 * shape.CylinderShape()->Radius();
+    read.extents = {width, width, shape.CylinderShape()->Length()};
+  }
+  else if (shape.Type() == sdf::GeometryType::CAPSULE) {
+    read.kind = HullPrimitive::Kind::capsule;
+    const double width = 2.0 * shape.CapsuleShape()->Radius();
+    read.extents = {width, width, width + shape.CapsuleShape()->Length()};
+  }
+  return read;
+}
+
+TEST(SDFormat, ReadsPrimitivesThatHoldThePointsOfTheirParts)
+{
+  for (const Eigen::Vector3d& offset :
+       {Eigen::Vector3d(Eigen::Vector3d::Zero()), utmOffset()}) {
+    const SimpleBodies bodies =
+        simpleBodies(findSceneFormat("SDF")->primitives, offset);
+    sdf::Root root;
+    for (const sdf::Error& error : root.LoadSdfString(bodies.textIn("SDF")))
+      ADD_FAILURE() << error.Message();
+    const sdf::Link& link = *root.Model()->LinkByIndex(0);
+    ASSERT_EQ(link.CollisionCount(), bodies.content.parts.size());
+    for (std::size_t i = 0; i < 4; ++i)
+      expectHolds(readShape(*link.CollisionByIndex(i)), bodies, i);
+    EXPECT_EQ(link.CollisionByIndex(4)->Geom()->Type(), sdf::GeometryType::MESH);
   }
 }
 

@@ -8,8 +8,10 @@
  */
 
 #include "exported_scene.h"
+#include "simple_bodies.h"
 
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/scene_formats.h>
 
 #include <array>
 #include <cstdio>
@@ -91,6 +93,46 @@ TEST(Urdfdom, HasNothingAgainstTheFileInItsTool)
     EXPECT_EQ(output.find("Error"), std::string::npos) << output;
     EXPECT_EQ(output.find("Warning"), std::string::npos) << output;
   });
+}
+
+HullPrimitive
+readShape(const urdf::Collision& collision)
+{
+  HullPrimitive read;
+  read.center = positionOf(collision.origin);
+  const urdf::Rotation& turn = collision.origin.rotation;
+  read.axes = Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z).toRotationMatrix();
+  if (collision.geometry->type == urdf::Geometry::BOX) {
+    const urdf::Vector3& size = static_cast<const urdf::Box&>(*collision.geometry).dim;
+    read.extents = {size.x, size.y, size.z};
+  }
+  else if (collision.geometry->type == urdf::Geometry::SPHERE) {
+    read.kind = HullPrimitive::Kind::sphere;
+    read.extents.setConstant(
+        2.0 * static_cast<const urdf::Sphere&>(*collision.geometry).radius);
+  }
+  else {
+    const auto& rod = static_cast<const urdf::Cylinder&>(*collision.geometry);
+    read.kind = HullPrimitive::Kind::cylinder;
+    read.extents = {2.0 * rod.radius, 2.0 * rod.radius, rod.length};
+  }
+  return read;
+}
+
+TEST(Urdfdom, ReadsPrimitivesThatHoldThePointsOfTheirParts)
+{
+  for (const Eigen::Vector3d& offset :
+       {Eigen::Vector3d(Eigen::Vector3d::Zero()), utmOffset()}) {
+    const SimpleBodies bodies =
+        simpleBodies(findSceneFormat("URDF")->primitives, offset);
+    const auto model = urdf::parseURDF(bodies.textIn("URDF"));
+    ASSERT_TRUE(model);
+    const auto& collisions = model->getRoot()->collision_array;
+    ASSERT_EQ(collisions.size(), bodies.content.parts.size());
+    for (std::size_t i = 0; i < 3; ++i)
+      expectHolds(readShape(*collisions[i]), bodies, i);
+    EXPECT_EQ(collisions[4]->geometry->type, urdf::Geometry::MESH);
+  }
 }
 
 } // namespace

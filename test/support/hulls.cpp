@@ -118,6 +118,31 @@ excess(const TriangleMesh& hull, const Eigen::Vector3d& p)
   return most;
 }
 
+double
+excess(const HullPrimitive& primitive, const Eigen::Vector3d& place)
+{
+  const Eigen::Vector3d axis = primitive.axes.col(2);
+  const Eigen::Vector3d from_center = place - primitive.center;
+  const double along = axis.dot(from_center);
+  const double off = (from_center - along * axis).norm();
+  const double radius = 0.5 * primitive.extents.x();
+  const double half = 0.5 * primitive.extents.z();
+  switch (primitive.kind) {
+  case HullPrimitive::Kind::sphere:
+    return from_center.norm() - radius;
+  case HullPrimitive::Kind::cylinder:
+    return std::max(off - radius, std::abs(along) - half);
+  case HullPrimitive::Kind::capsule:
+    return (from_center - std::clamp(along, radius - half, half - radius) * axis)
+               .norm() -
+           radius;
+  default:
+    return ((primitive.axes.transpose() * from_center).cwiseAbs() -
+            0.5 * primitive.extents)
+        .maxCoeff();
+  }
+}
+
 void
 expectGuarantees(const ConvexPart& part,
                  const Points& points,

@@ -12,6 +12,7 @@
 #include "clouds.h"
 
 #include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/hull_primitive.h>
 #include <pcl_cid/core/point_set.h>
 
 #include <cstddef>
@@ -40,6 +41,10 @@ trianglesOf(const std::vector<ConvexPart>& parts);
 /** How far outside of a hull: the largest excess over its faces. */
 double
 excess(const TriangleMesh& hull, const Eigen::Vector3d& p);
+
+/** The same for a primitive, from its definition; negative inside. */
+double
+excess(const HullPrimitive& primitive, const Eigen::Vector3d& place);
 
 /** Fails with the first guarantee that a part breaks; its volume, area and thickness
  *  must be those of its hull.

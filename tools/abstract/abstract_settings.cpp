@@ -12,6 +12,7 @@
 #include "run/parameter.h"
 #include "run/words.h"
 
+#include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/mesh_formats.h>
 
@@ -65,7 +66,14 @@ declareHullOptions(AbstractSettings& settings, CommandLine& line)
 {
   line.group(setting::min_thickness.group);
   line.setting(setting::min_thickness, settings.hulls.min_thickness);
-  line.optional(setting::max_vertices, settings.max_vertices);
+  line.optional(setting::max_vertices,
+                settings.max_vertices,
+                "auto",
+                settings.fewest_vertices,
+                "auto: as few as --max-error allows, or, without it, so that none "
+                "stands out by more than " +
+                    shortNumber(100.0 * simplification_share) +
+                    " % of the hull's diagonal");
   line.setting(setting::padding, settings.hulls.padding);
   line.setting(setting::trim_distance, settings.hulls.trim_distance);
   line.setting(
@@ -159,7 +167,9 @@ partParametersOf(const AbstractSettings& settings)
   list.push_back(parameter(setting::group_samples, settings.group_samples));
   list.push_back(parameter(setting::min_points, settings.min_points));
   list.push_back(parameter(setting::min_thickness, settings.hulls.min_thickness));
-  if (settings.max_vertices)
+  if (settings.fewest_vertices)
+    list.push_back({setting::max_vertices.name, std::string("auto")});
+  else if (settings.max_vertices)
     list.push_back(parameter(setting::max_vertices, *settings.max_vertices));
   list.push_back(parameter(setting::padding, settings.hulls.padding));
   list.push_back(parameter(setting::trim_distance, settings.hulls.trim_distance));

@@ -37,6 +37,7 @@ struct AbstractSettings : Settings {
   int min_points = setting::min_points.initial;
   ConvexPartOptions hulls;
   std::optional<int> max_vertices;
+  bool fewest_vertices = false; ///< --max-vertices auto
   double free_distance = setting::free_distance.initial;
   bool verify = false;
   std::string labels;

@@ -12,16 +12,17 @@
 #include "file_points.h"
 #include "hull_verification.h"
 #include "mesh_output.h"
+#include "primitive_verification.h"
 #include "run/loaded_scan.h"
 #include "run/run.h"
 #include "run/words.h"
+#include "simpler_bodies.h"
 #include "tightness_curve.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/viewpoints.h>
 
-#include <cmath>
 #include <optional>
 #include <ostream>
 
@@ -29,8 +30,6 @@ namespace {
 
 using namespace pcl_cid;
 using namespace pcl_cid::tools;
-
-using Abstraction = CIDConvexAbstraction<pcl::PointXYZ>;
 
 void
 configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
@@ -48,9 +47,6 @@ configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
       settings.max_vertices.value_or(setting::max_vertices.initial));
   abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
 }
-
-/** Where scanners stood. */
-using Viewpoints = std::vector<Eigen::Vector3d>;
 
 bool
 hasViewpointFile(const AbstractSettings& settings)
@@ -98,6 +94,7 @@ configureFitting(const AbstractSettings& settings,
 /** What became of the scan. */
 struct AbstractedScan {
   std::vector<ConvexPart> parts;
+  Primitives primitives; ///< in the place of parts in scenes
   MergeTree tree;
   ConvexPartOptions hull_options;
   std::size_t dropped_points = 0;
@@ -120,7 +117,7 @@ measureTightness(const AbstractSettings& settings,
   const TightnessMeter meter(abstraction.getPreparedScan(), options);
   run.report.tightness = meter.measure(result.parts);
   if (!settings.curve.empty())
-    result.curve = tightnessCurve(meter, abstraction);
+    result.curve = tightnessCurve(meter, settings.fewest_vertices, abstraction);
   run.end(percent(run.report.tightness->all.free_share) + " free space", "tightness");
 }
 
@@ -181,6 +178,9 @@ abstract(const AbstractSettings& settings,
   const bool by_hull = settings.merging == MergingRule::hull;
   by_hull ? fit(abstraction, scan, run, result)
           : decompose(abstraction, scan, run, result);
+  result.primitives =
+      findPrimitives(settings, viewpoints, result.parts, abstraction, run);
+  simplify(settings, result.parts, abstraction, run);
   run.report.parameters = parametersOf(settings, abstraction);
   describeDensity(abstraction.getDensityDecision(), run);
   describeBlindSpot(abstraction.getBlindSpot(), scan.points.frame, run);
@@ -188,6 +188,7 @@ abstract(const AbstractSettings& settings,
     describeProposal(abstraction.getProposal(), scan.points, run.report);
   measureTightness(settings, abstraction, run, result);
   moveToFile(scan.points.frame, result.parts);
+  moveToFile(scan.points.frame, result.primitives);
   return result;
 }
 
@@ -273,7 +274,8 @@ save(const AbstractSettings& settings,
   if (!settings.curve.empty())
     run.outputs.write(settings.curve,
                       [&](std::ostream& s) { writeCurve(s, result.curve); });
-  const SceneDescription scene = writeScenes(settings.scenes, result.parts, run);
+  const SceneDescription scene =
+      writeScenes(settings.scenes, result.parts, result.primitives, run);
   run.end(std::to_string(result.parts.size()) + " parts", "save");
   return scene;
 }
@@ -289,10 +291,13 @@ verify(const AbstractSettings& settings,
   verifyMesh(settings.output, verification, run.outputs);
   if (const std::string folder = settings.scenes.partsFolder(); !folder.empty())
     verifyParts(folder, scene, verification, run.outputs);
+  if (settings.scenes.primitives)
+    for (const SceneFile& file : settings.scenes.wanted())
+      verifyPrimitives(file, scene, verification, run.outputs);
   run.end("all guarantees hold", "verify");
 }
 
-/** What checks the bound on the error: padding comes on top of it. */
+/** What checks the bound on the error. */
 std::optional<ErrorVerification>
 errorVerification(const AbstractSettings& settings,
                   const LoadedScan& scan,
@@ -300,11 +305,8 @@ errorVerification(const AbstractSettings& settings,
 {
   if (!settings.max_error)
     return std::nullopt;
-  return std::optional<ErrorVerification>(std::in_place,
-                                          scan.points,
-                                          *settings.max_error +
-                                              std::sqrt(3.0) * settings.hulls.padding,
-                                          viewpoints);
+  return std::optional<ErrorVerification>(
+      std::in_place, scan.points, paddedBound(settings), viewpoints);
 }
 
 void

@@ -14,6 +14,7 @@
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/mesh_formats.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <ostream>
@@ -93,6 +94,8 @@ writeParts(const std::string& folder,
 {
   announceOldParts(folder, outputs);
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (primitiveOf(i, scene))
+      continue;
     const std::string path = fs::path(folder) / partFileName(i, scene.mesh_extension);
     outputs.announce(path);
     outputs.write(path, [&](std::ostream& s) { writePartMesh(s, parts, i, scene); });
@@ -162,6 +165,20 @@ SceneSettings::wanted() const
   return scenes;
 }
 
+std::vector<HullPrimitive::Kind>
+SceneSettings::primitiveKinds() const
+{
+  std::vector<HullPrimitive::Kind> kinds = PrimitiveOptions().kinds;
+  for (const SceneFile& scene : wanted()) {
+    const std::vector<HullPrimitive::Kind>& known = scene.format.primitives;
+    const auto is_unknown = [&](HullPrimitive::Kind kind) {
+      return std::find(known.begin(), known.end(), kind) == known.end();
+    };
+    kinds.erase(std::remove_if(kinds.begin(), kinds.end(), is_unknown), kinds.end());
+  }
+  return kinds;
+}
+
 void
 declareSceneOptions(SceneSettings& settings, CommandLine& line)
 {
@@ -177,11 +194,23 @@ declareSceneOptions(SceneSettings& settings, CommandLine& line)
             settings.frame,
             "the cloud's frame: the link in URDF and SDF; default " + settings.frame);
   line.require("frame", optionsWith(&SceneFormat::names_frame, settings));
+  line.flag(
+      "primitives",
+      settings.primitives,
+      "a box, a sphere, a cylinder or, where all these formats know it, a capsule "
+      "instead of the mesh of a part that it holds, when it is at most " +
+          shortNumber(100.0 * primitive_share) + " % larger than its hull");
+  std::vector<std::string> scenes;
+  for (const SceneFile& scene : settings.files)
+    scenes.push_back(scene.format.option);
+  line.require("primitives", scenes);
 }
 
 void
 checkSceneOptions(const SceneSettings& settings)
 {
+  if (settings.primitives && settings.primitiveKinds().empty())
+    throw UsageError("--primitives: one of the scenes is of a format without any");
   for (const SceneFile& scene : settings.wanted())
     requireExtension("--" + scene.format.option, scene.path, scene.format.extensions);
   for (const SceneFile& scene : settings.wanted()) {
@@ -211,6 +240,7 @@ announceScenes(const SceneSettings& settings, OutputFiles& outputs)
 SceneDescription
 writeScenes(const SceneSettings& settings,
             const std::vector<ConvexPart>& parts,
+            const std::vector<std::optional<HullPrimitive>>& primitives,
             Run& run)
 {
   const std::string folder = settings.partsFolder();
@@ -219,6 +249,7 @@ writeScenes(const SceneSettings& settings,
   if (folder.empty() && scenes.empty())
     return description;
   description.origin = sceneOrigin(parts);
+  description.primitives = primitives;
   if (!folder.empty())
     writeParts(folder, parts, description, run.outputs);
   for (const SceneFile& scene : scenes) {

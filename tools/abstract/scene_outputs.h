@@ -12,10 +12,12 @@
 #include "run/command_line.h"
 #include "run/run.h"
 
+#include <pcl_cid/core/hull_primitive.h>
 #include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/scene_export.h>
 #include <pcl_cid/io/scene_formats.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,10 +44,15 @@ struct SceneSettings {
   std::vector<SceneFile>
   wanted() const;
 
+  /** \brief The primitives that all of these know. */
+  std::vector<HullPrimitive::Kind>
+  primitiveKinds() const;
+
   std::vector<SceneFile> files;
   std::string parts_dir;
   std::string parts_format; ///< extension of the meshes, without the dot
   std::string frame;
+  bool primitives = false; ///< instead of the meshes of parts that are nearly such
 };
 
 /** \brief Declare an option for each format of scenes, and those for the meshes that
@@ -66,10 +73,12 @@ announceScenes(const SceneSettings& settings, OutputFiles& outputs);
 /** \brief Write the scenes and the meshes of the parts; what an earlier run left in
  *  their folder goes with the commit. An origin that was subtracted from the meshes is
  *  told to the user and the report.
+ *  \param[in] primitives what stands for each part; empty: nothing does
  *  \return with the origin and the format of the meshes */
 SceneDescription
 writeScenes(const SceneSettings& settings,
             const std::vector<ConvexPart>& parts,
+            const std::vector<std::optional<HullPrimitive>>& primitives,
             Run& run);
 
 } // namespace pcl_cid::tools

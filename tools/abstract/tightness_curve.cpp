@@ -32,6 +32,7 @@ numbersOfParts(std::size_t groups)
 
 std::vector<CurvePoint>
 tightnessCurve(const TightnessMeter& meter,
+               bool simplified,
                CIDConvexAbstraction<pcl::PointXYZ>& abstraction)
 {
   const MergeTree tree = abstraction.getMergeTree();
@@ -40,6 +41,8 @@ tightnessCurve(const TightnessMeter& meter,
   for (const std::size_t parts : numbersOfParts(groups)) {
     std::vector<ConvexPart> hulls;
     abstraction.reconstruct(tree.cutAtParts(parts), hulls);
+    if (simplified)
+      abstraction.simplify(hulls);
     CurvePoint point = {hulls.size(), 0.0, 0, meter.measure(hulls)};
     if (parts < groups)
       point.height = tree.steps()[groups - parts - 1].height;

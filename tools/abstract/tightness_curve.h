@@ -27,9 +27,11 @@ struct CurvePoint {
 
 /** \brief Some cuts from all groups to one part, each with about a sixth fewer parts
  *  than the one before.
+ *  \param[in] simplified whether the hulls shall have as few vertices as may be
  *  \param[in,out] abstraction its last tree is whole */
 std::vector<CurvePoint>
 tightnessCurve(const TightnessMeter& meter,
+               bool simplified,
                CIDConvexAbstraction<pcl::PointXYZ>& abstraction);
 
 /** \brief As CSV: parts,height,vertices,max_concavity,mean_concavity,free_share,

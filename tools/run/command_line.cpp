@@ -204,7 +204,10 @@ CommandLine::parse(int argc,
   catch (const po::error& error) {
     throw UsageError(error.what());
   }
-  checkCombinations([&](const std::string& name) { return values.count(name) != 0; });
+  // Flags that are not given have a value, too.
+  checkCombinations([&](const std::string& name) {
+    return values.count(name) != 0 && !values[name].defaulted();
+  });
   if (given.size() != files.size())
     throw UsageError(names + " are needed, " + std::to_string(files.size()) +
                      " file names; given: " + std::to_string(given.size()));

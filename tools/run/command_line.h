@@ -123,6 +123,25 @@ public:
            });
   }
 
+  /** \brief The same, or a word in the place of the number. */
+  template <typename Value, typename Number>
+  void
+  optional(const NumberSetting<Value>& row,
+           std::optional<Number>& target,
+           const std::string& word,
+           bool& is_word,
+           const std::string& note)
+  {
+    option(optionName(row),
+           row.placeholder,
+           helpOf(row, note),
+           [=, row = row.withoutZero(), &target, &is_word](const std::string& text) {
+             is_word = text == word;
+             if (!is_word)
+               target = parse<Number>(row, text, ", or '" + word + "'");
+           });
+  }
+
   /** \brief One of the words of a row. */
   template <typename Value, std::size_t Count>
   void
@@ -195,14 +214,16 @@ private:
 
   template <typename Number, typename Value>
   static Number
-  parse(const NumberSetting<Value>& row, const std::string& text)
+  parse(const NumberSetting<Value>& row,
+        const std::string& text,
+        const std::string& or_else = "")
   {
     Number number{};
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, number);
     if (error != std::errc() || rest != end || !row.allows(number))
       throw UsageError("--" + optionName(row) + " is '" + text + "'; it must be " +
-                       rangeOf(row));
+                       rangeOf(row) + or_else);
     return number;
   }
 

@@ -68,6 +68,15 @@ CIDConvexAbstraction<PointT>::reconstruct(const std::vector<int>& cut,
   parts = this->makeParts(this->getGrouping()->scan(), part, this->execution(0.0, 1.0));
 }
 
+template <typename PointT>
+void
+CIDConvexAbstraction<PointT>::simplify(std::vector<ConvexPart>& parts)
+{
+  const PreparedScan::ConstPtr scan = this->prepare();
+  this->simplifyParts(
+      scan, this->execution(0.0, 0.3), this->execution(0.3, 1.0), parts);
+}
+
 } // namespace pcl_cid
 
 #define PCL_INSTANTIATE_CIDConvexAbstraction(T)                                        \

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/hull_primitive.h>
 #include <pcl_cid/core/hull_tightness.h>
 #include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/pcl_cid_io_export.h>
@@ -125,6 +126,10 @@ struct Report {
   /** The parts. They are not copied and must live until toJson(); null when there are
    *  none. */
   const std::vector<ConvexPart>* parts = nullptr;
+  /** Vertices of all hulls before they were simplified; empty when they were not. */
+  std::optional<std::size_t> exact_vertices;
+  /** What stands for each hull in scenes; empty when primitives were not asked for. */
+  std::vector<std::optional<HullPrimitive>> primitives;
   /** Points of parts that were dropped for being small: no hull covers them. */
   std::size_t dropped_points = 0;
   /** What the hulls cost a robot; empty when parts were not chosen by their hulls. */

@@ -11,11 +11,13 @@
 #pragma once
 
 #include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/hull_primitive.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,10 @@ struct SceneDescription {
   /** Extension of the meshes, with the dot, which says their format; one of
    *  partMeshExtensions(). */
   std::string mesh_extension = ".obj";
+  /** What is written in the place of the mesh of each part, in the frame of the parts
+   *  (see fitPrimitives()); none, or of a kind that the format does not know: its mesh.
+   *  Empty: meshes for all. */
+  std::vector<std::optional<HullPrimitive>> primitives;
 };
 
 /** \brief A local origin for meshes in float; this is the only place of the rule.
@@ -65,6 +71,10 @@ partFileName(std::size_t part, const std::string& extension);
  *  \param[in] name without folder */
 PCL_CID_IO_EXPORT bool
 isPartFileName(const std::string& name);
+
+/** \brief What stands in the place of the mesh of a part; null: nothing does. */
+PCL_CID_IO_EXPORT const HullPrimitive*
+primitiveOf(std::size_t part, const SceneDescription& scene);
 
 /** \brief The mesh file of one part: meshInScene() in the format of the scene's
  *  SceneDescription::mesh_extension.

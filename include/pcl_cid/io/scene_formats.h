@@ -10,17 +10,22 @@
 #pragma once
 
 #include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/hull_primitive.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace pcl_cid {
 
 struct SceneDescription;
+
+/** \brief The primitives of a scene by the names of their parts. */
+using NamedPrimitives = std::map<std::string, HullPrimitive>;
 
 /** \brief A format of scenes: a row of the table. */
 struct SceneFormat {
@@ -48,6 +53,11 @@ struct SceneFormat {
                      const std::vector<ConvexPart>& parts,
                      const SceneDescription& scene)>
       write;
+  /** Primitives that it knows, of SceneDescription::primitives; empty: meshes only. */
+  std::vector<HullPrimitive::Kind> primitives;
+  /** Read the primitives of what it has written; needed where it knows any.
+   *  \throws CIDException when it cannot */
+  std::function<NamedPrimitives(std::istream& stream)> read_primitives;
 };
 
 /** \brief All formats: URDF, SDF, MJCF, MoveIt, then those that were registered. */
@@ -61,7 +71,7 @@ findSceneFormat(const std::string& name);
 
 /** \brief Add a format for as long as the program runs. Any thread may call this.
  *  \throws CIDException when its name or its option is taken, an extension is no good,
- *  or when it has no writer or no option */
+ *  or when it has no writer, no option, or primitives without a reader of them */
 PCL_CID_IO_EXPORT void
 registerSceneFormat(SceneFormat format);
 

@@ -103,6 +103,14 @@ isInside(const std::vector<HalfSpace>& half_spaces,
       });
 }
 
+TriangleMesh
+moved(TriangleMesh mesh, const Eigen::Vector3d& shift)
+{
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v += shift;
+  return mesh;
+}
+
 Eigen::AlignedBox3d
 boxOf(const TriangleMesh& mesh)
 {

@@ -68,6 +68,10 @@ isInside(const std::vector<HalfSpace>& half_spaces,
          const Eigen::Vector3d& p,
          double tolerance = 0.0);
 
+/** \brief The mesh somewhere else. */
+TriangleMesh
+moved(TriangleMesh mesh, const Eigen::Vector3d& shift);
+
 /** \brief The axis-aligned bounding box. */
 Eigen::AlignedBox3d
 boxOf(const TriangleMesh& mesh);

@@ -72,12 +72,17 @@ addIfNew(const Eigen::Vector3d& p, double tolerance, Corners& points)
     points.push_back(p);
 }
 
+/** None when the half-spaces leave the body open, as then no hull of their points has
+ *  the inside point in it. */
 Corners
 cornersOf(const Corners& dual_points, const Duality& duality, double tolerance)
 {
   Corners corners;
-  for (const HalfSpace& face : halfSpacesOf(quickHull(dual_points)))
+  for (const HalfSpace& face : halfSpacesOf(quickHull(dual_points))) {
+    if (face.offset <= 0.0)
+      return {};
     addIfNew(duality.cornerOf(face), tolerance, corners);
+  }
   return corners;
 }
 
@@ -117,6 +122,69 @@ mostViolated(const std::vector<HalfSpace>& half_spaces,
   return most;
 }
 
+/** A body that holds a hull, from which planes of the hull cut one corner after the
+ *  other. */
+class OuterBody {
+public:
+  /** \param[in] max_vertices of the body to begin with: a box, or a tetrahedron */
+  OuterBody(const TriangleMesh& hull, std::size_t max_vertices)
+  : duality_(hull)
+  , margin_(0.25 * hull_tolerance * diagonalOf(hull))
+  , faces_(loosened(halfSpacesOf(hull), margin_))
+  {
+    PrincipalBox box = principalBox(hull.vertices);
+    box.extents.array() += 2.0 * margin_;
+    const TriangleMesh start = boxMesh(box, max_vertices);
+    for (const HalfSpace& half_space : halfSpacesOf(start))
+      addIfNew(duality_.pointOf(half_space), same_plane, dual_points_);
+    corners_ = start.vertices;
+  }
+
+  const Corners&
+  corners() const
+  {
+    return corners_;
+  }
+
+  /** Cut away what is farthest outside; false when nothing is, or qhull fails. */
+  bool
+  cut()
+  {
+    const auto half_space = mostViolated(faces_, corners_, margin_);
+    if (!half_space)
+      return false;
+    dual_points_.push_back(duality_.pointOf(*half_space));
+    corners_ = cornersOf(dual_points_, duality_, margin_);
+    return !corners_.empty();
+  }
+
+  /** Leave out planes, the first ones first, as long as what is left is a good body:
+   *  later cuts have made some of them useless, and others nearly so. */
+  template <typename IsGood>
+  void
+  leaveOutPlanes(const IsGood& is_good)
+  {
+    for (std::size_t i = 0; i < dual_points_.size();) {
+      Corners fewer = dual_points_;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      Corners corners = cornersOf(fewer, duality_, margin_);
+      if (corners.empty() || !is_good(corners)) {
+        ++i;
+        continue;
+      }
+      dual_points_ = std::move(fewer);
+      corners_ = std::move(corners);
+    }
+  }
+
+private:
+  Duality duality_;
+  double margin_;
+  std::vector<HalfSpace> faces_;
+  Corners dual_points_;
+  Corners corners_;
+};
+
 } // namespace
 
 TriangleMesh
@@ -124,25 +192,35 @@ reduceOutward(const TriangleMesh& hull, std::size_t max_vertices)
 {
   if (max_vertices == 0 || hull.vertices.size() <= max_vertices)
     return hull;
-  const double margin = 0.25 * hull_tolerance * diagonalOf(hull);
-  const std::vector<HalfSpace> faces = loosened(halfSpacesOf(hull), margin);
-  PrincipalBox box = principalBox(hull.vertices);
-  box.extents.array() += 2.0 * margin;
-  const TriangleMesh start = boxMesh(box, max_vertices);
-  const Duality duality(hull);
-  Corners dual_points;
-  for (const HalfSpace& half_space : halfSpacesOf(start))
-    addIfNew(duality.pointOf(half_space), same_plane, dual_points);
-
-  Corners corners = start.vertices;
-  while (const auto cut = mostViolated(faces, corners, margin)) {
-    dual_points.push_back(duality.pointOf(*cut));
-    Corners cut_corners = cornersOf(dual_points, duality, margin);
-    if (cut_corners.empty() || cut_corners.size() > max_vertices)
-      break;
-    corners = std::move(cut_corners);
-  }
+  OuterBody body(hull, max_vertices);
+  Corners corners = body.corners();
+  while (body.cut() && body.corners().size() <= max_vertices)
+    corners = body.corners();
   return convexHull(corners);
+}
+
+TriangleMesh
+simplifyOutward(const TriangleMesh& hull,
+                const std::function<bool(const TriangleMesh& body)>& may_replace)
+{
+  constexpr std::size_t corners_of_a_box = 8;
+  if (hull.vertices.size() <= corners_of_a_box)
+    return hull;
+  OuterBody body(hull, 0);
+  TriangleMesh best = hull;
+  const auto isGood = [&](const Corners& corners) {
+    TriangleMesh simpler = convexHull(corners);
+    if (simpler.triangles.empty() || simpler.vertices.size() >= best.vertices.size() ||
+        !may_replace(simpler))
+      return false;
+    best = std::move(simpler);
+    return true;
+  };
+  while (!isGood(body.corners()))
+    if (!body.cut() || body.corners().size() >= hull.vertices.size())
+      return hull;
+  body.leaveOutPlanes(isGood);
+  return best;
 }
 
 } // namespace pcl_cid

@@ -12,6 +12,7 @@
 #include <pcl_cid/core/convex_part.h>
 
 #include <cstddef>
+#include <functional>
 
 namespace pcl_cid {
 
@@ -27,5 +28,14 @@ namespace pcl_cid {
  *  \note Cost: O(max_vertices (F max_vertices)), F the triangles of \a hull. */
 TriangleMesh
 reduceOutward(const TriangleMesh& hull, std::size_t max_vertices);
+
+/** \brief The first of the bodies on that way, from the principal box on, that may take
+ *  the place of the hull, without the planes that it can do without.
+ *  \param[in] hull closed and convex
+ *  \param[in] may_replace asked about bodies of fewer vertices than the hull
+ *  \return the hull itself when none may */
+TriangleMesh
+simplifyOutward(const TriangleMesh& hull,
+                const std::function<bool(const TriangleMesh& body)>& may_replace);
 
 } // namespace pcl_cid

@@ -108,6 +108,13 @@ tightnessOf(const Tightness& tightness)
   return json;
 }
 
+/** The name of its kind; null where the hull is written. */
+Json
+primitiveOf(const std::optional<HullPrimitive>& primitive)
+{
+  return primitive ? Json(nameOf(primitive->kind)) : Json(nullptr);
+}
+
 Json
 partsOf(const Report& report)
 {
@@ -123,6 +130,8 @@ partsOf(const Report& report)
                  {"thickness", part.thickness},
                  {"thickened", part.thickened},
                  {"boxed", part.boxed}};
+    if (!report.primitives.empty())
+      json["primitive"] = primitiveOf(report.primitives[k]);
     if (report.tightness)
       addTightness(report.tightness->hulls[k], json);
     list.push_back(std::move(json));
@@ -227,6 +236,8 @@ toJson(const Report& report)
     json["parts"] = partsOf(report);
     json["points"]["dropped"] = report.dropped_points;
   }
+  if (report.exact_vertices)
+    json["exact_vertices"] = *report.exact_vertices;
   if (report.places)
     json["places"] = {{"free", report.places->free},
                       {"refused", report.places->refused},

@@ -7,6 +7,7 @@
  * Parts as an MJCF.
  */
 
+#include "primitive_readers.h"
 #include "scene_rows.h"
 #include "scene_text.h"
 
@@ -15,7 +16,42 @@
 
 #include <ostream>
 
+#include <Eigen/Geometry>
+
 namespace pcl_cid {
+namespace {
+
+/** What MuJoCo calls sizes: halves of lengths. */
+std::string
+sizeOf(const HullPrimitive& primitive)
+{
+  switch (primitive.kind) {
+  case HullPrimitive::Kind::box:
+    return numbers(0.5 * primitive.extents);
+  case HullPrimitive::Kind::sphere:
+    return numbers({primitive.radius()});
+  case HullPrimitive::Kind::cylinder:
+    return numbers({primitive.radius(), 0.5 * primitive.extents.z()});
+  default:
+    return numbers({primitive.radius(), 0.5 * primitive.straightLength()});
+  }
+}
+
+/** Where a part is, and its shape. */
+std::string
+geometryOf(std::size_t part, const SceneDescription& scene)
+{
+  const HullPrimitive* primitive = primitiveOf(part, scene, allKinds());
+  if (!primitive)
+    return "type=\"mesh\" mesh=\"" + partName(part) + "\" pos=\"" +
+           numbers(scene.origin) + "\"";
+  const Eigen::Quaterniond turn(primitive->axes);
+  return std::string("type=\"") + nameOf(primitive->kind) + "\" size=\"" +
+         sizeOf(*primitive) + "\" pos=\"" + numbers(primitive->center) + "\" quat=\"" +
+         numbers({turn.w(), turn.x(), turn.y(), turn.z()}) + "\"";
+}
+
+} // namespace
 
 void
 writeMJCF(std::ostream& stream,
@@ -26,13 +62,13 @@ writeMJCF(std::ostream& stream,
   stream << xml_declaration << "<mujoco model=\"" << escaped(scene.name)
          << "\">\n  <asset>\n";
   for (std::size_t i = 0; i < parts.size(); ++i)
-    stream << "    <mesh name=\"" << partName(i) << "\" file=\""
-           << meshReference(i, scene) << "\"/>\n";
+    if (!primitiveOf(i, scene, allKinds()))
+      stream << "    <mesh name=\"" << partName(i) << "\" file=\""
+             << meshReference(i, scene) << "\"/>\n";
   stream << "  </asset>\n  <worldbody>\n";
-  const std::string pose = numbers(scene.origin);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    stream << "    <geom name=\"" << partName(i) << "\" type=\"mesh\" mesh=\""
-           << partName(i) << "\" pos=\"" << pose << "\" rgba=\"" << rgba(i) << "\"/>\n";
+    stream << "    <geom name=\"" << partName(i) << "\" " << geometryOf(i, scene)
+           << " rgba=\"" << rgba(i) << "\"/>\n";
   stream << "  </worldbody>\n</mujoco>\n";
 }
 
@@ -46,6 +82,8 @@ mjcfFormat()
   format.help = "write an MJCF for MuJoCo";
   format.refers_to_meshes = true;
   format.write = writeMJCF;
+  format.primitives = allKinds();
+  format.read_primitives = readPrimitivesOfMJCF;
   return format;
 }
 

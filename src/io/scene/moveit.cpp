@@ -7,6 +7,7 @@
  * Parts as a scene of MoveIt.
  */
 
+#include "primitive_readers.h"
 #include "scene_rows.h"
 #include "scene_text.h"
 
@@ -16,28 +17,69 @@
 #include <ostream>
 #include <string>
 
+#include <Eigen/Geometry>
+
 namespace pcl_cid {
+namespace {
+
+constexpr const char* no_turn = "0 0 0 1\n"; // a quaternion, x y z w
+
+std::string
+meshAsText(const TriangleMesh& mesh)
+{
+  std::string text = "mesh\n" + std::to_string(mesh.vertices.size()) + ' ' +
+                     std::to_string(mesh.triangles.size()) + '\n';
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
+    text += numbers(vertex) + '\n';
+  for (const auto& [a, b, c] : mesh.triangles)
+    text +=
+        std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+  return text;
+}
+
+std::string
+shapeAsText(const HullPrimitive& primitive)
+{
+  const std::string name = std::string(nameOf(primitive.kind)) + '\n';
+  switch (primitive.kind) {
+  case HullPrimitive::Kind::box:
+    return name + numbers(primitive.extents) + '\n';
+  case HullPrimitive::Kind::sphere:
+    return name + numbers({primitive.radius()}) + '\n';
+  default:
+    return name + numbers({primitive.radius(), primitive.extents.z()}) + '\n';
+  }
+}
+
+/** Where a part is, and its one shape. */
+std::string
+geometryOf(std::size_t part,
+           const std::vector<ConvexPart>& parts,
+           const SceneDescription& scene)
+{
+  const HullPrimitive* primitive = primitiveOf(part, scene, kindsWithoutCapsule());
+  if (!primitive)
+    return numbers(scene.origin) + '\n' + no_turn + "1\n" +
+           meshAsText(meshInScene(parts[part], scene));
+  const Eigen::Quaterniond turn(primitive->axes);
+  return numbers(primitive->center) + '\n' +
+         numbers({turn.x(), turn.y(), turn.z(), turn.w()}) + "\n1\n" +
+         shapeAsText(*primitive);
+}
+
+} // namespace
 
 void
 writeMoveItScene(std::ostream& stream,
                  const std::vector<ConvexPart>& parts,
                  const SceneDescription& scene)
 {
-  constexpr const char* identity = "0 0 0\n0 0 0 1\n"; // position, quaternion x y z w
   requireName("the scene's name", scene.name);
   stream << scene.name << '\n';
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const TriangleMesh mesh = meshInScene(parts[i], scene);
-    std::string text = "* " + partName(i) + '\n' + numbers(scene.origin) +
-                       "\n0 0 0 1\n1\nmesh\n" + std::to_string(mesh.vertices.size()) +
-                       ' ' + std::to_string(mesh.triangles.size()) + '\n';
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
-      text += numbers(vertex) + '\n';
-    for (const auto& [a, b, c] : mesh.triangles)
-      text +=
-          std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
-    stream << text << identity << rgba(i) << "\n0\n";
-  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    stream << "* " << partName(i) << '\n'
+           << geometryOf(i, parts, scene) << "0 0 0\n"
+           << no_turn << rgba(i) << "\n0\n";
   stream << ".\n";
 }
 
@@ -50,6 +92,8 @@ moveItFormat()
   format.extensions = {".scene"};
   format.help = "write a scene in MoveIt's text form";
   format.write = writeMoveItScene;
+  format.primitives = kindsWithoutCapsule();
+  format.read_primitives = readPrimitivesOfMoveIt;
   return format;
 }
 

@@ -58,6 +58,13 @@ meshInScene(const ConvexPart& part, const SceneDescription& scene)
   return mesh;
 }
 
+const HullPrimitive*
+primitiveOf(std::size_t part, const SceneDescription& scene)
+{
+  const bool is_one = part < scene.primitives.size() && scene.primitives[part];
+  return is_one ? &*scene.primitives[part] : nullptr;
+}
+
 std::string
 partFileName(std::size_t part, const std::string& extension)
 {

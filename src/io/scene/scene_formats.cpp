@@ -44,6 +44,9 @@ registerSceneFormat(SceneFormat format)
 {
   if (!format.write)
     throw CIDException("the format " + format.name + " must have a writer");
+  if (!format.primitives.empty() && !format.read_primitives)
+    throw CIDException("the format " + format.name +
+                       " must have a reader of its primitives");
   if (format.option.empty())
     throw CIDException("the format " + format.name + " must have an option");
   for (const SceneFormat& known : sceneFormats())

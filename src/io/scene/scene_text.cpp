@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+#include <Eigen/Geometry>
+
 namespace pcl_cid {
 namespace {
 
@@ -88,6 +90,39 @@ escaped(const std::string& text)
       result += c;
     }
   return result;
+}
+
+const HullPrimitive*
+primitiveOf(std::size_t part,
+            const SceneDescription& scene,
+            const std::vector<HullPrimitive::Kind>& kinds)
+{
+  const HullPrimitive* primitive = primitiveOf(part, scene);
+  const bool is_known =
+      primitive &&
+      std::find(kinds.begin(), kinds.end(), primitive->kind) != kinds.end();
+  return is_known ? primitive : nullptr;
+}
+
+std::vector<HullPrimitive::Kind>
+kindsWithoutCapsule()
+{
+  return {HullPrimitive::Kind::box,
+          HullPrimitive::Kind::sphere,
+          HullPrimitive::Kind::cylinder};
+}
+
+std::vector<HullPrimitive::Kind>
+allKinds()
+{
+  return PrimitiveOptions().kinds;
+}
+
+std::string
+rollPitchYaw(const Eigen::Matrix3d& axes)
+{
+  const Eigen::Vector3d angles = axes.eulerAngles(2, 1, 0);
+  return numbers({angles[2], angles[1], angles[0]});
 }
 
 std::string

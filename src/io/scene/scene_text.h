@@ -9,11 +9,13 @@
 
 #pragma once
 
+#include <pcl_cid/core/hull_primitive.h>
 #include <pcl_cid/io/scene_export.h>
 
 #include <cstddef>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace pcl_cid {
 
@@ -39,6 +41,26 @@ requireName(const char* what, const std::string& name);
 /** \brief For the content of XML elements and for attributes in double quotes. */
 std::string
 escaped(const std::string& text);
+
+/** \brief The primitive that is written in the place of a part's mesh; null: the mesh
+ *  is.
+ *  \param[in] kinds that the format knows */
+const HullPrimitive*
+primitiveOf(std::size_t part,
+            const SceneDescription& scene,
+            const std::vector<HullPrimitive::Kind>& kinds);
+
+/** \brief Box, sphere and cylinder, which all formats know. */
+std::vector<HullPrimitive::Kind>
+kindsWithoutCapsule();
+
+/** \brief All of them. */
+std::vector<HullPrimitive::Kind>
+allKinds();
+
+/** \brief Angles about the fixed axes x, y and z, applied in this order. */
+std::string
+rollPitchYaw(const Eigen::Matrix3d& axes);
 
 /** \brief Where the file of a scene finds the mesh of a part, for XML.
  *  \throws CIDException when the folder cannot be written in XML */

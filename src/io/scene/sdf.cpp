@@ -8,6 +8,7 @@
  */
 
 #include "base/sentence.h"
+#include "primitive_readers.h"
 #include "scene_rows.h"
 #include "scene_text.h"
 
@@ -17,6 +18,46 @@
 #include <ostream>
 
 namespace pcl_cid {
+namespace {
+
+std::string
+element(const std::string& name, const std::string& content)
+{
+  return "<" + name + ">" + content + "</" + name + ">";
+}
+
+std::string
+shapeOf(const HullPrimitive& primitive)
+{
+  const std::string name = nameOf(primitive.kind);
+  const std::string radius = element("radius", numbers({primitive.radius()}));
+  switch (primitive.kind) {
+  case HullPrimitive::Kind::box:
+    return element(name, element("size", numbers(primitive.extents)));
+  case HullPrimitive::Kind::sphere:
+    return element(name, radius);
+  case HullPrimitive::Kind::cylinder:
+    return element(name, radius + element("length", numbers({primitive.extents.z()})));
+  default:
+    return element(name,
+                   radius + element("length", numbers({primitive.straightLength()})));
+  }
+}
+
+/** Where a part is, and its shape. */
+std::string
+geometryOf(std::size_t part, const SceneDescription& scene)
+{
+  const HullPrimitive* primitive = primitiveOf(part, scene, allKinds());
+  const std::string shape =
+      primitive ? shapeOf(*primitive)
+                : element("mesh", element("uri", meshReference(part, scene)));
+  return "        <pose>" + numbers(primitive ? primitive->center : scene.origin) +
+         " " + (primitive ? rollPitchYaw(primitive->axes) : "0 0 0") +
+         "</pose>\n        " + element("geometry", shape) + "\n";
+}
+
+} // namespace
 
 void
 requireFrameForSDF(const std::string& frame)
@@ -38,14 +79,12 @@ writeSDF(std::ostream& stream,
 {
   requireName("the model's name", scene.name);
   requireFrameForSDF(scene.frame);
-  const std::string pose = "        <pose>" + numbers(scene.origin) + " 0 0 0</pose>\n";
   stream << xml_declaration << "<sdf version=\"1.9\">\n  <model name=\""
          << escaped(scene.name) << "\">\n    <static>true</static>\n    <link name=\""
          << escaped(scene.frame) << "\">\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = partName(i);
-    const std::string geometry = pose + "        <geometry><mesh><uri>" +
-                                 meshReference(i, scene) + "</uri></mesh></geometry>\n";
+    const std::string geometry = geometryOf(i, scene);
     const std::string color = rgba(i);
     stream << "      <visual name=\"" << name << "\">\n"
            << geometry << "        <material><ambient>" << color
@@ -69,6 +108,8 @@ sdfFormat()
   format.names_frame = true;
   format.check = [](const SceneDescription& scene) { requireFrameForSDF(scene.frame); };
   format.write = writeSDF;
+  format.primitives = allKinds();
+  format.read_primitives = readPrimitivesOfSDF;
   return format;
 }
 

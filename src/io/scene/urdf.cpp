@@ -7,6 +7,7 @@
  * Parts as a URDF.
  */
 
+#include "primitive_readers.h"
 #include "scene_rows.h"
 #include "scene_text.h"
 
@@ -16,6 +17,38 @@
 #include <ostream>
 
 namespace pcl_cid {
+namespace {
+
+std::string
+shapeOf(const HullPrimitive& primitive)
+{
+  const std::string radius = " radius=\"" + numbers({primitive.radius()}) + "\"";
+  switch (primitive.kind) {
+  case HullPrimitive::Kind::box:
+    return "<box size=\"" + numbers(primitive.extents) + "\"/>";
+  case HullPrimitive::Kind::sphere:
+    return "<sphere" + radius + "/>";
+  default:
+    return "<cylinder" + radius + " length=\"" + numbers({primitive.extents.z()}) +
+           "\"/>";
+  }
+}
+
+/** Where a part is, and its shape. */
+std::string
+geometryOf(std::size_t part, const SceneDescription& scene)
+{
+  const HullPrimitive* primitive = primitiveOf(part, scene, kindsWithoutCapsule());
+  const std::string shape =
+      primitive ? shapeOf(*primitive)
+                : "<mesh filename=\"" + meshReference(part, scene) + "\"/>";
+  return "      <origin xyz=\"" +
+         numbers(primitive ? primitive->center : scene.origin) + "\" rpy=\"" +
+         (primitive ? rollPitchYaw(primitive->axes) : "0 0 0") +
+         "\"/>\n      <geometry>" + shape + "</geometry>\n";
+}
+
+} // namespace
 
 void
 writeURDF(std::ostream& stream,
@@ -24,14 +57,11 @@ writeURDF(std::ostream& stream,
 {
   requireName("the robot's name", scene.name);
   requireName("the frame", scene.frame);
-  const std::string origin =
-      "      <origin xyz=\"" + numbers(scene.origin) + "\" rpy=\"0 0 0\"/>\n";
   stream << xml_declaration << "<robot name=\"" << escaped(scene.name)
          << "\">\n  <link name=\"" << escaped(scene.frame) << "\">\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = partName(i);
-    const std::string geometry = origin + "      <geometry><mesh filename=\"" +
-                                 meshReference(i, scene) + "\"/></geometry>\n";
+    const std::string geometry = geometryOf(i, scene);
     stream << "    <visual name=\"" << name << "\">\n"
            << geometry << "      <material name=\"" << name << "\"><color rgba=\""
            << rgba(i) << "\"/></material>\n    </visual>\n    <collision name=\""
@@ -52,6 +82,8 @@ urdfFormat()
   format.refers_to_meshes = true;
   format.names_frame = true;
   format.write = writeURDF;
+  format.primitives = kindsWithoutCapsule();
+  format.read_primitives = readPrimitivesOfURDF;
   return format;
 }
 

@@ -108,6 +108,9 @@ TEST(RegisteredSceneFormat, MustBeNewAndWhole)
   format.option = "";
   EXPECT_THROW(registerSceneFormat(format), CIDException);
   format.option = "other";
+  format.primitives = {HullPrimitive::Kind::box};
+  EXPECT_THROW(registerSceneFormat(format), CIDException); // nothing reads them
+  format.primitives.clear();
   format.extensions = {"xml"};
   EXPECT_THROW(registerSceneFormat(format), CIDException);
   format.extensions = {".xml"};
