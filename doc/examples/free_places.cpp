@@ -69,23 +69,6 @@ takeConnected(std::set<Cell>& cells,
   return connected;
 }
 
-/** The largest set of places that free ways along the grid connect. */
-Places
-connectedPlaces(const FreeSpace& space, double spacing, double step)
-{
-  std::set<Cell> cells = freeCells(space, spacing);
-  std::vector<Cell> largest;
-  while (!cells.empty()) {
-    std::vector<Cell> connected = takeConnected(cells, space, spacing, step);
-    if (connected.size() > largest.size())
-      largest.swap(connected);
-  }
-  Places places;
-  for (const Cell& cell : largest)
-    places.push_back(placeOf(cell, space, spacing));
-  return places;
-}
-
 /** The farthest first. */
 void
 sortByDistance(Places& places, const Place& from)
@@ -138,6 +121,22 @@ isStraightWayFree(const FreeSpace& space,
     if (!space.isFree(from + (to - from) * i / std::max(steps, 1)))
       return false;
   return true;
+}
+
+Places
+connectedPlaces(const FreeSpace& space, double spacing, double step)
+{
+  std::set<Cell> cells = freeCells(space, spacing);
+  std::vector<Cell> largest;
+  while (!cells.empty()) {
+    std::vector<Cell> connected = takeConnected(cells, space, spacing, step);
+    if (connected.size() > largest.size())
+      largest.swap(connected);
+  }
+  Places places;
+  for (const Cell& cell : largest)
+    places.push_back(placeOf(cell, space, spacing));
+  return places;
 }
 
 Task

@@ -52,6 +52,13 @@ isStraightWayFree(const FreeSpace& space,
                   const Place& to,
                   double step);
 
+/** \brief The largest set of places of a grid that free ways along the grid connect;
+ *  none where no place is free.
+ *  \param[in] spacing of the grid
+ *  \param[in] step of looking along a way */
+Places
+connectedPlaces(const FreeSpace& space, double spacing, double step);
+
 /** \brief Where to go. */
 struct Task {
   Place start;

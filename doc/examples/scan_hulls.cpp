@@ -35,13 +35,19 @@ loadFinitePoints(const std::string& path)
 }
 
 std::vector<pcl_cid::ConvexPart>
-hullsOf(const Cloud::ConstPtr& scan, int number_of_parts)
+hullsOf(const Cloud::ConstPtr& scan, const HullOptions& options)
 {
   pcl_cid::CIDConvexAbstraction<pcl::PointXYZ> abstraction;
   abstraction.setInputCloud(scan);
+  abstraction.setNumberOfParts(options.number_of_parts);
+  abstraction.setMergingRule(options.merging);
+  // By hull:
+  abstraction.setRobotRadius(options.robot_radius);
+  if (options.has_one_view)
+    abstraction.setViewpoints({Eigen::Vector3d::Zero()});
+  // By CID:
   abstraction.setSubsample(20000); // for speed; hulls contain the other points, too
-  abstraction.setNumberOfSeeds(2 * number_of_parts); // what the parts are merged from
-  abstraction.setNumberOfParts(number_of_parts);
+  abstraction.setNumberOfSeeds(2 * options.number_of_parts); // what is merged
   abstraction.setStopAtCut(true);
   std::vector<pcl_cid::ConvexPart> parts;
   abstraction.reconstruct(parts);

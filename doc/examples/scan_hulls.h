@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/convex_part.h>
+#include <pcl_cid/core/settings.h>
 
 #include <string>
 #include <vector>
@@ -28,9 +29,23 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 Cloud::Ptr
 loadFinitePoints(const std::string& path);
 
+/** \brief Which hulls to make. */
+struct HullOptions {
+  /** More parts usually leave more of the free space free, and take longer to look at.
+   */
+  int number_of_parts = 60;
+  /** By hull, parts are chosen so that the robot can use as much free space as can be.
+   */
+  pcl_cid::MergingRule merging = pcl_cid::MergingRule::hull;
+  /** Of the robot, metres. */
+  double robot_radius = 0.0;
+  /** The scan is what one camera saw from the origin: only there is free space. */
+  bool has_one_view = false;
+};
+
 /** \brief Hulls that contain all points of a scan. */
 std::vector<pcl_cid::ConvexPart>
-hullsOf(const Cloud::ConstPtr& scan, int number_of_parts);
+hullsOf(const Cloud::ConstPtr& scan, const HullOptions& options);
 
 /** \brief How far a point of the scan may stand out of its hull, metres. */
 double

@@ -8,6 +8,7 @@
  */
 
 #include "clouds.h"
+#include "even_sampler.h"
 #include "tool_process.h"
 
 #include <pcl_cid/core/convex_part.h>
@@ -36,6 +37,14 @@ planIn(const std::vector<std::string>& arguments)
 {
   const TemporaryFolder folder;
   return ToolProcess("plan_a_path", arguments, folder).wait();
+}
+
+/** The sample room again, by hulls that are made quickly: where any hulls do. */
+ToolRun
+planInRoom(std::vector<std::string> arguments)
+{
+  arguments.insert(arguments.begin(), {room, "--merging", "cid"});
+  return planIn(arguments);
 }
 
 Path
@@ -123,12 +132,78 @@ TEST(PlanAPath, CrossesTheSampleRoom)
 {
   const auto scan = pcl::make_shared<Cloud>();
   ASSERT_EQ(pcl::io::loadPCDFile(room, *scan), 0);
-  const ToolRun run = planIn({room});
+  const ToolRun run = planInRoom({});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Path path = pathIn(run.out);
   expectGoodPath(path, scan);
   EXPECT_GT((path.back() - path.front()).norm(), 0.5 * diagonalOf(*scan));
-  EXPECT_EQ(planIn({room}).out, run.out) << "another run, another path";
+  EXPECT_EQ(planInRoom({}).out, run.out) << "another run, another path";
+}
+
+/** An empty room of 2.4 m height with solids in it, scanned evenly. */
+class PlanAPathThrough : public testing::Test {
+protected:
+  void
+  makeRoomWith(double width, const std::vector<Primitive>& solids)
+  {
+    RoomScene scene;
+    scene.size = {width, depth, height};
+    scene.primitives = {makeBox(0, width, 0, depth, 0, 0),
+                        makeBox(0, width, 0, depth, height, height),
+                        makeBox(0, 0, 0, depth, 0, height),
+                        makeBox(width, width, 0, depth, 0, height),
+                        makeBox(0, width, 0, 0, 0, height),
+                        makeBox(0, width, depth, depth, 0, height)};
+    scene.primitives.insert(scene.primitives.end(), solids.begin(), solids.end());
+    scene.class_of_instance = {RoomClass::none}; // of them all
+    for (const Eigen::Vector3f& p : sampleRoomEvenly(scene, 3000, 1).points)
+      scan_->emplace_back(p.x(), p.y(), p.z());
+    ASSERT_EQ(pcl::io::savePCDFileBinary(file_, *scan_), 0);
+  }
+
+  /** From the one side to the other. */
+  ToolRun
+  planBy(const std::string& merging, const std::vector<std::string>& ends)
+  {
+    std::vector<std::string> arguments{file_, "--merging", merging, "--parts", "20"};
+    arguments.insert(arguments.end(), ends.begin(), ends.end());
+    return planIn(arguments);
+  }
+
+  static constexpr double depth = 3.0;
+  static constexpr double height = 2.4;
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("scan.pcd");
+  Cloud::Ptr scan_ = pcl::make_shared<Cloud>();
+};
+
+/** Two rooms joined by a door of 0.9 x 2 m. By CID, the door stays open, too, but
+ * places nearer to the walls, to which the same robot has to go, are in the hulls. */
+TEST_F(PlanAPathThrough, ADoor)
+{
+  makeRoomWith(6.0,
+               {makeBox(2.95, 3.05, 0.0, 1.05, 0.0, height),
+                makeBox(2.95, 3.05, 1.95, depth, 0.0, height),
+                makeBox(2.95, 3.05, 1.05, 1.95, 2.0, height)});
+  const std::vector<std::string> ends{"0.3", "0.3", "0.3", "5.7", "0.3", "0.3"};
+  const ToolRun run = planBy("hull", ends);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expectGoodPath(pathIn(run.out), scan_);
+  EXPECT_EQ(planBy("cid", ends).exit_code, 1);
+}
+
+/** 0.4 m between a cupboard, as high as the room, and the wall: hardly more than the
+ *  0.32 m of the sphere that is checked. By CID, the way through is closed. */
+TEST_F(PlanAPathThrough, AGapAtTheWall)
+{
+  makeRoomWith(5.0, {makeBox(2.3, 2.7, 0.0, depth - 0.4, 0.0, height)});
+  const std::vector<std::string> ends{"1", "1", "1.2", "4", "1", "1.2"};
+  const ToolRun run = planBy("hull", ends);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expectGoodPath(pathIn(run.out), scan_);
+  const ToolRun by_cid = planBy("cid", ends);
+  EXPECT_EQ(by_cid.exit_code, 1);
+  EXPECT_NE(by_cid.err.find("no path was found"), std::string::npos) << by_cid.err;
 }
 
 TEST(PlanAPath, StaysWhereTheCameraSawTheOffice)
@@ -147,13 +222,13 @@ TEST(PlanAPath, StaysWhereTheCameraSawTheOffice)
 
 TEST(PlanAPath, GoesWhereItIsTold)
 {
-  const Path chosen = pathIn(planIn({room}).out);
+  const Path chosen = pathIn(planInRoom({}).out);
   ASSERT_FALSE(chosen.empty());
-  std::vector<std::string> arguments{room};
+  std::vector<std::string> arguments;
   for (const Eigen::Vector3d& end : {chosen.back(), chosen.front()})
     for (const double coordinate : end)
       arguments.push_back(std::to_string(coordinate));
-  const Path back = pathIn(planIn(arguments).out);
+  const Path back = pathIn(planInRoom(arguments).out);
   ASSERT_FALSE(back.empty());
   constexpr double printed_digits = 1e-5;
   EXPECT_LT((back.front() - chosen.back()).norm(), printed_digits);
@@ -165,13 +240,8 @@ TEST(PlanAPath, RefusesAStartInThePoints)
   Cloud scan;
   ASSERT_EQ(pcl::io::loadPCDFile(room, scan), 0);
   const pcl::PointXYZ& p = scan[0];
-  const ToolRun run = planIn({room,
-                              std::to_string(p.x),
-                              std::to_string(p.y),
-                              std::to_string(p.z),
-                              "1",
-                              "1",
-                              "1"});
+  const ToolRun run = planInRoom(
+      {std::to_string(p.x), std::to_string(p.y), std::to_string(p.z), "1", "1", "1"});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("start or goal is not free"), std::string::npos) << run.err;
   EXPECT_TRUE(run.out.empty());
@@ -182,6 +252,10 @@ TEST(PlanAPath, RefusesABadCommandLine)
   EXPECT_EQ(planIn({}).exit_code, 2);
   EXPECT_EQ(planIn({room, "1", "2", "3"}).exit_code, 2);
   EXPECT_EQ(planIn({room, "--sideways"}).exit_code, 2);
+  EXPECT_EQ(planIn({room, "--merging", "chance"}).exit_code, 2);
+  EXPECT_EQ(planIn({room, "--merging"}).exit_code, 2);
+  EXPECT_EQ(planIn({room, "--parts", "many"}).exit_code, 2);
+  EXPECT_EQ(planIn({room, "--parts", "0"}).exit_code, 1);
   EXPECT_EQ(planIn({"absent.pcd"}).exit_code, 1);
 }
 
