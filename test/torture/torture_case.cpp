@@ -18,6 +18,8 @@
 
 #include <pcl/search/kdtree.h>
 
+#include <Eigen/Geometry>
+
 namespace pcl_cid::test {
 namespace {
 
@@ -267,6 +269,108 @@ drawHull(float size, Dice& dice)
   return hull;
 }
 
+/** Above, at and below the least thickness; below the spacing; or generous. */
+double
+drawBound(float size, double thickness, Dice& dice)
+{
+  double bound = static_cast<double>(size * dice.magnitude(-4, 1));
+  if (dice.oneIn(4))
+    bound = static_cast<double>(size * dice.magnitude(-14, -5));
+  if (dice.oneIn(4))
+    bound = thickness * (dice.oneIn(4) ? 1.0 : dice.magnitude(-1, 4));
+  return std::clamp(bound, setting::max_error.least, setting::max_error.most);
+}
+
+double
+drawRobot(float size, Dice& dice)
+{
+  switch (dice.below(4)) {
+  case 0:
+    return 0.0;
+  case 1:
+    return static_cast<double>(size * dice.magnitude(-30, -6));
+  case 2:
+    return std::min(static_cast<double>(size * dice.magnitude(1, 30)), 1e15);
+  default:
+    return static_cast<double>(size * dice.magnitude(-6, 0));
+  }
+}
+
+/** In a point, inside of the cloud, outside, far away, or nowhere. */
+Eigen::Vector3d
+drawViewpoint(const TortureCloud& cloud, const Place& place, Dice& dice)
+{
+  const auto about = [&](float size) -> Eigen::Vector3d {
+    const Eigen::Vector3f p = dice.inCube() - Eigen::Vector3f::Constant(0.3f);
+    return (place.offset + place.scale * size * p).cast<double>();
+  };
+  switch (dice.below(8)) {
+  case 0:
+    return cloud[dice.below(cloud.size())].getVector3fMap().cast<double>();
+  case 1:
+    return about(4.0f);
+  case 2:
+    return about(dice.magnitude(4, 50));
+  case 3:
+    return about(1.0f) * (dice.oneIn(4) ? 1e300 : 1.0);
+  case 4:
+    return dice.oneIn(4) ? Eigen::Vector3d(0.0, double{no_coordinate}, 0.0)
+                         : about(1.0f);
+  default:
+    return about(1.0f);
+  }
+}
+
+/** The longest side of the box around the finite points. */
+double
+extentOf(const TortureCloud& cloud)
+{
+  Eigen::AlignedBox3d box;
+  for (const TorturePoint& point : cloud)
+    if (point.getVector3fMap().allFinite())
+      box.extend(point.getVector3fMap().cast<double>());
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
+/** Thin next to the places of the robot, and thick next to rounding. */
+double
+usualThickness(double thickness, double extent, double robot_radius)
+{
+  const double least = std::max(1e-6 * extent, setting::min_thickness.least);
+  const double most = std::max(robot_radius, setting::free_distance.initial) / 12.0;
+  return std::clamp(thickness, least, std::max(least, most));
+}
+
+FittingCase
+drawFitting(const TortureCloud& cloud,
+            const Place& place,
+            float size,
+            double thickness,
+            Dice& dice)
+{
+  FittingCase fitting{};
+  HullFittingSettings& settings = fitting.settings;
+  // It takes long next to all else: not in every case, seldom of many points, and
+  // seldom with a bound.
+  fitting.is_checked = dice.oneIn(cloud.size() > 80 ? 24 : 3);
+  fitting.has_parts = !dice.oneIn(8);
+  settings.parts = 1 + dice.below(dice.oneIn(4) ? 80 : 6);
+  settings.robot_radius = drawRobot(size, dice);
+  // Small robots in large clouds have many places, which take long.
+  const double extent = extentOf(cloud);
+  const double least = std::min((dice.oneIn(16) ? 0.03 : 0.25) * extent, 1e15);
+  if (least > setting::free_distance.initial)
+    settings.robot_radius = std::max(settings.robot_radius, least);
+  settings.min_thickness = usualThickness(thickness, extent, settings.robot_radius);
+  if (!fitting.has_parts ? !dice.oneIn(8) : dice.oneIn(6))
+    settings.max_error = drawBound(size, settings.min_thickness, dice);
+  if (dice.oneIn(2))
+    for (std::size_t n = 1 + dice.below(3); n > 0; --n)
+      settings.viewpoints.push_back(drawViewpoint(cloud, place, dice));
+  fitting.threads = static_cast<unsigned int>(dice.between(2, 3));
+  return fitting;
+}
+
 } // namespace
 
 TortureCase::TortureCase(std::uint64_t case_number) : number(case_number)
@@ -301,6 +405,7 @@ TortureCase::TortureCase(std::uint64_t case_number) : number(case_number)
   min_points = dice.oneIn(3) ? dice.between(1, 9) : 1;
   hull = drawHull(size, dice);
   own_search = dice.oneIn(6);
+  fitting = drawFitting(*cloud, place, size, hull.min_thickness, dice);
 }
 
 CIDConvexAbstraction<TorturePoint>
@@ -344,6 +449,25 @@ TortureCase::abstraction(unsigned int threads) const
 }
 
 namespace {
+
+void
+print(std::ostream& out, const FittingCase& fitting)
+{
+  const HullFittingSettings& settings = fitting.settings;
+  if (!fitting.is_checked)
+    return;
+  out << "  by hull: ";
+  if (fitting.has_parts)
+    out << settings.parts << " parts, ";
+  out << "bound " << settings.max_error << ", thickness " << settings.min_thickness
+      << ", robot " << settings.robot_radius << ", on " << fitting.threads
+      << " threads, seen from";
+  if (settings.viewpoints.empty())
+    out << " anywhere";
+  for (const Eigen::Vector3d& viewpoint : settings.viewpoints)
+    out << ' ' << viewpoint.transpose() << ';';
+  out << '\n';
+}
 
 void
 print(std::ostream& out, const char* name, const pcl::Indices* indices)
@@ -391,6 +515,7 @@ operator<<(std::ostream& out, const TortureCase& one)
       << "\n  thickness " << one.hull.min_thickness << ", vertices "
       << one.hull.max_vertices << ", padding " << one.hull.padding << ", trim "
       << one.hull.trim_distance << '\n';
+  print(out, one.fitting);
   print(out, "indices", one.indices.get());
   print(out, "candidates", preparation.seed_candidates.get());
   print(out, "cloud", *one.cloud);

@@ -23,6 +23,16 @@ namespace pcl_cid::test {
 using TorturePoint = pcl::PointXYZRGB;
 using TortureCloud = pcl::PointCloud<TorturePoint>;
 
+/** How parts are chosen by their hulls: settings that a user could give, good or not.
+ */
+struct FittingCase {
+  bool is_checked; ///< else nothing is done with it
+  /** The viewpoints may be no positions, and the bound too small for the thickness. */
+  HullFittingSettings settings;
+  bool has_parts;       ///< else the bound alone says how many, if there is one
+  unsigned int threads; ///< of the second run
+};
+
 /** What a run is given. The same number makes the same case, on every machine. */
 struct TortureCase {
   std::uint64_t number;
@@ -41,6 +51,7 @@ struct TortureCase {
   int min_points;
   ConvexPartOptions hull;
   bool own_search; ///< a KdTree for the surface
+  FittingCase fitting;
 
   explicit TortureCase(std::uint64_t number);
 

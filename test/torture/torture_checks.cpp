@@ -10,14 +10,16 @@
 #include "torture_checks.h"
 
 #include "base/random.h"
+#include "fitting_checks.h"
 #include "literal_grouping.h"
 #include "oracle.h"
+#include "part_checks.h"
 #include "scan/working_set.h"
+#include "torture_fault.h"
 
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/core/cid_from.h>
 #include <pcl_cid/core/concavity.h>
-#include <pcl_cid/core/hull_guarantees.h>
 #include <pcl_cid/core/hull_tightness.h>
 #include <pcl_cid/exceptions.h>
 
@@ -31,20 +33,6 @@ namespace pcl_cid::test {
 namespace {
 
 using Abstraction = CIDConvexAbstraction<TorturePoint>;
-
-/** Something that does not hold. */
-struct Fault : std::exception {
-  std::string text;
-
-  explicit Fault(std::string what) : text(std::move(what)) {}
-};
-
-void
-expect(bool holds, const std::string& what)
-{
-  if (!holds)
-    throw Fault(what);
-}
 
 /** Of the inputs that a case can be: all else must work. */
 bool
@@ -102,23 +90,6 @@ same(const MergeTree& a, const MergeTree& b)
                     });
 }
 
-bool
-same(const std::vector<ConvexPart>& a, const std::vector<ConvexPart>& b)
-{
-  return std::equal(a.begin(),
-                    a.end(),
-                    b.begin(),
-                    b.end(),
-                    [](const ConvexPart& left, const ConvexPart& right) {
-                      return left.indices == right.indices &&
-                             left.trimmed == right.trimmed &&
-                             left.hull.vertices == right.hull.vertices &&
-                             left.hull.triangles == right.hull.triangles &&
-                             left.volume == right.volume &&
-                             left.thickness == right.thickness;
-                    });
-}
-
 void
 checkThreads(const TortureCase& one, const Run& on_one)
 {
@@ -132,7 +103,7 @@ checkThreads(const TortureCase& one, const Run& on_one)
          "other groups on 3 threads");
   expect(same(on_three.abstraction.getMergeTree(), on_one.abstraction.getMergeTree()),
          "other merges on 3 threads");
-  expect(same(on_three.parts, on_one.parts), "other parts on 3 threads");
+  expect(sameParts(on_three.parts, on_one.parts), "other parts on 3 threads");
 }
 
 /** Seed by seed, the proposal is that of the definitions. */
@@ -236,26 +207,16 @@ checkMerges(const TortureCase& one, const Grouping& grouping, const MergeTree& m
 }
 
 void
-checkParts(const TortureCase& one, const Run& run)
+checkPartsOfGroups(const TortureCase& one, const Run& run)
 {
-  std::set<pcl::index_t> covered;
-  for (const ConvexPart& part : run.parts) {
-    expect(!part.indices.empty(), "a part without points");
-    std::vector<Eigen::Vector3d> points;
-    for (const pcl::index_t i : part.indices)
-      points.push_back(
-          (*one.cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
-    if (const auto broken = findBrokenGuarantee(part.hull, points, one.hull))
-      throw Fault("a hull: " + *broken);
-    for (const pcl::Indices* indices : {&part.indices, &part.trimmed})
-      for (const pcl::index_t i : *indices)
-        expect(covered.insert(i).second, "a point in two parts");
-  }
   const std::vector<pcl::index_t> groups = run.grouping().groups();
   const auto grouped = static_cast<std::size_t>(
       std::count_if(groups.begin(), groups.end(), [](auto g) { return g >= 0; }));
-  expect(covered.size() + run.abstraction.getNumberOfDroppedPoints() == grouped,
-         "a point in no part");
+  checkParts(*one.cloud,
+             run.parts,
+             one.hull,
+             grouped,
+             run.abstraction.getNumberOfDroppedPoints());
 }
 
 bool
@@ -380,10 +341,12 @@ check(const TortureCase& one, TortureVerdict& verdict)
   checkOracle(one, grouping);
   checkGroups(one, grouping);
   checkMerges(one, grouping, run.abstraction.getMergeTree());
-  checkParts(one, run);
+  checkPartsOfGroups(one, run);
   checkTightness(one, run);
   checkHistory(one, grouping);
   checkLabels(one, grouping);
+  if (one.fitting.is_checked)
+    checkFitting(one, grouping.scan());
 }
 
 } // namespace
