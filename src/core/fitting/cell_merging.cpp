@@ -182,6 +182,12 @@ private:
   setCost(Pair& pair, double limit) const
   {
     const FastHull hull = hullOf(pair.a, pair.b);
+    // First, as a hull that breaks the bound is found out before its places are
+    // counted.
+    if (hull.faces.empty() || !scene_.keepsBound(hull)) {
+      pair = {impossible, true, pair.a, pair.b};
+      return;
+    }
     const double volume =
         hull.volume - parts_[pair.a].cell.hull.volume - parts_[pair.b].cell.hull.volume;
     pair.cost = volume_weight * volume / scene_.space.placeVolume();
@@ -191,8 +197,6 @@ private:
               std::count(taken_.begin() + range.begin, taken_.begin() + range.end, 0));
           return pair.cost <= limit;
         });
-    if (hull.faces.empty() || (pair.is_known && !scene_.keepsBound(hull)))
-      pair = {impossible, true, pair.a, pair.b};
   }
 
   /** Beyond this a pair is not looked at closely: there are much cheaper ones. */
