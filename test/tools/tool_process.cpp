@@ -128,7 +128,8 @@ ToolTest::segment(std::vector<std::string> arguments) const
 ToolRun
 ToolTest::abstract(std::vector<std::string> arguments) const
 {
-  arguments.insert(arguments.end(), {"--seeds", "12"});
+  if (std::find(arguments.begin(), arguments.end(), "hull") == arguments.end())
+    arguments.insert(arguments.end(), {"--seeds", "12"});
   const ToolRun done = run("pcl_cid_abstract", arguments);
   EXPECT_EQ(done.exit_code, 0) << done.err;
   return done;

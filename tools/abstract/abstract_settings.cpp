@@ -19,6 +19,9 @@
 namespace pcl_cid::tools {
 namespace {
 
+const std::string group_options = "--threshold, --merges, --tree, --curve, --seeds, "
+                                  "--coverage, --start-index or --group-samples";
+
 constexpr const char* about =
     "Turn a scan into convex hulls. INPUT is a PCD or PLY file, a room folder of\n"
     "S3DIS or a scan folder of ScanNet; OUTPUT is a mesh: .obj (an object for each\n"
@@ -29,12 +32,15 @@ void
 declareMergeOptions(AbstractSettings& settings, CommandLine& line)
 {
   line.group(std::string(setting::parts.group) +
-             " (without --parts, --threshold and --merges, as many as the merges "
-             "themselves suggest)");
+             " (without --parts, --max-error, --threshold and --merges, as many as the "
+             "merges themselves suggest)");
   line.optional(setting::parts, settings.parts);
   line.optional(setting::threshold, settings.threshold);
   line.optional(setting::merges, settings.merges);
-  line.choice(setting::merging, settings.merging);
+  line.choice(setting::merging,
+              settings.merging,
+              "default hull, or cid where groups are needed: with " + group_options +
+                  ", or without --parts and --max-error");
   line.optional(setting::max_error, settings.max_error);
   line.optional(setting::robot_radius,
                 settings.robot_radius,
@@ -43,8 +49,11 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
       "viewpoints",
       "FILE",
       settings.viewpoints,
-      "with --merging hull: where the scan was taken from (JSON or a table), or "
+      "merging by hull: where the scan was taken from (JSON or a table), or "
       "`cloud` for the viewpoint in INPUT; only what was seen counts as free then");
+  line.flag("strict",
+            settings.strict,
+            "an error, where --max-error takes more hulls than --parts says");
   line.setting(setting::group_samples, settings.group_samples);
   line.setting(setting::min_points, settings.min_points);
   line.text("labels",
@@ -59,6 +68,7 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
   line.exclude(optionName(setting::parts),
                {optionName(setting::threshold), optionName(setting::merges)});
   line.exclude(optionName(setting::threshold), {optionName(setting::merges)});
+  line.require("strict", {optionName(setting::max_error)});
 }
 
 void
@@ -88,17 +98,19 @@ declareHullOptions(AbstractSettings& settings, CommandLine& line)
 void
 requireFittingRule(const AbstractSettings& settings)
 {
-  const bool by_hull = settings.merging == MergingRule::hull;
+  const bool by_hull = settings.mergingRule() == MergingRule::hull;
   if (!by_hull &&
       (settings.max_error || settings.robot_radius || !settings.viewpoints.empty()))
     throw UsageError(
-        "--max-error, --robot-radius and --viewpoints need --merging hull");
+        "--max-error, --robot-radius and --viewpoints need --merging hull, "
+        "and neither --merging cid nor " +
+        group_options);
   if (by_hull && !settings.parts && !settings.max_error)
     throw UsageError("--merging hull needs --parts or --max-error");
-  if (by_hull && (settings.threshold || settings.merges || !settings.tree.empty() ||
-                  !settings.curve.empty()))
-    throw UsageError("--threshold, --merges, --tree and --curve are about merges by "
-                     "group CID; leave them out with --merging hull");
+  if (by_hull && settings.isAboutGroups())
+    throw UsageError(group_options +
+                     " are about groups and their merges; leave them out with "
+                     "--merging hull");
 }
 
 /** Some formats are only written. */
@@ -112,6 +124,22 @@ requireReader(const AbstractSettings& settings)
 }
 
 } // namespace
+
+MergingRule
+AbstractSettings::mergingRule() const
+{
+  if (merging)
+    return *merging;
+  const bool asks_for_hulls = parts || max_error || robot_radius || !viewpoints.empty();
+  return asks_for_hulls && !isAboutGroups() ? MergingRule::hull : MergingRule::cid;
+}
+
+bool
+AbstractSettings::isAboutGroups() const
+{
+  return threshold || merges || !tree.empty() || !curve.empty() || seeds || coverage ||
+         start_index || group_samples != setting::group_samples.initial;
+}
 
 bool
 readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
@@ -157,10 +185,10 @@ partParametersOf(const AbstractSettings& settings)
     list.push_back(parameter(setting::threshold, *settings.threshold));
   if (settings.merges)
     list.push_back(parameter(setting::merges, *settings.merges));
-  list.push_back(parameter(setting::merging, settings.merging));
+  list.push_back(parameter(setting::merging, settings.mergingRule()));
   if (settings.max_error)
     list.push_back(parameter(setting::max_error, *settings.max_error));
-  if (settings.merging == MergingRule::hull)
+  if (settings.mergingRule() == MergingRule::hull)
     list.push_back(
         parameter(setting::robot_radius,
                   settings.robot_radius.value_or(setting::robot_radius.initial)));

@@ -29,7 +29,7 @@ struct AbstractSettings : Settings {
   std::optional<int> parts;
   std::optional<double> threshold;
   std::optional<int> merges;
-  MergingRule merging = setting::merging.initial;
+  std::optional<MergingRule> merging;
   std::optional<double> max_error;
   std::optional<double> robot_radius;
   std::string viewpoints; ///< a file, or `cloud` for the pose of the cloud
@@ -39,11 +39,21 @@ struct AbstractSettings : Settings {
   std::optional<int> max_vertices;
   bool fewest_vertices = false; ///< --max-vertices auto
   double free_distance = setting::free_distance.initial;
+  bool strict = false;
   bool verify = false;
   std::string labels;
   std::string tree;
   std::string curve;
   SceneSettings scenes;
+
+  /** \brief Without `--merging`, by hull where nothing but hulls is asked for. */
+  MergingRule
+  mergingRule() const;
+
+  /** \brief Whether anything is said or asked about groups, which merging by hull has
+   *  none of. */
+  bool
+  isAboutGroups() const;
 };
 
 /** \brief Read the command line, or answer `--help` and `--version`.

@@ -20,6 +20,7 @@
 #include "tightness_curve.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/viewpoints.h>
 
@@ -83,7 +84,7 @@ configureFitting(const AbstractSettings& settings,
                  const Viewpoints& viewpoints,
                  Abstraction& abstraction)
 {
-  abstraction.setMergingRule(settings.merging);
+  abstraction.setMergingRule(settings.mergingRule());
   if (settings.max_error)
     abstraction.setMaxError(*settings.max_error);
   if (settings.robot_radius)
@@ -121,9 +122,27 @@ measureTightness(const AbstractSettings& settings,
   run.end(percent(run.report.tightness->all.free_share) + " free space", "tightness");
 }
 
+/** The bound on the error comes before the number of parts. */
+void
+checkNumberOfParts(const AbstractSettings& settings, std::size_t made, Run& run)
+{
+  if (!settings.parts || made <= static_cast<std::size_t>(*settings.parts))
+    return;
+  const std::string sentence =
+      "the bound of " + shortNumber(*settings.max_error) + " m on the error takes " +
+      std::to_string(made) + " hulls; --parts says " + std::to_string(*settings.parts);
+  if (settings.strict)
+    throw CIDException(sentence + ", and --strict that this is an error");
+  run.remark()(sentence);
+}
+
 /** The parts whose hulls leave most places free. */
 void
-fit(Abstraction& abstraction, const LoadedScan& scan, Run& run, AbstractedScan& result)
+fit(const AbstractSettings& settings,
+    Abstraction& abstraction,
+    const LoadedScan& scan,
+    Run& run,
+    AbstractedScan& result)
 {
   run.begin("Fitting hulls");
   abstraction.reconstruct(result.parts);
@@ -139,6 +158,7 @@ fit(Abstraction& abstraction, const LoadedScan& scan, Run& run, AbstractedScan& 
               percent(run.report.places->refusedShare()) +
               " of the free places refused",
           "fit");
+  checkNumberOfParts(settings, fitting.parts, run);
 }
 
 /** The parts that the merge tree is cut into, and their hulls. */
@@ -175,8 +195,8 @@ abstract(const AbstractSettings& settings,
   configureFitting(settings, viewpoints, abstraction);
   abstraction.setInputCloud(scan.points.points);
   AbstractedScan result;
-  const bool by_hull = settings.merging == MergingRule::hull;
-  by_hull ? fit(abstraction, scan, run, result)
+  const bool by_hull = settings.mergingRule() == MergingRule::hull;
+  by_hull ? fit(settings, abstraction, scan, run, result)
           : decompose(abstraction, scan, run, result);
   result.primitives =
       findPrimitives(settings, viewpoints, result.parts, abstraction, run);

@@ -147,14 +147,17 @@ public:
   void
   choice(const ChoiceSetting<Value, Count>& row, Value& target)
   {
-    std::vector<std::string> words;
-    for (const auto& each : row.words)
-      words.emplace_back(each.word);
-    choose(optionName(row),
-           row.placeholder,
-           words,
-           std::string(row.meaning) + "; default " + row.wordOf(target),
-           [=, &target](const std::string& word) { target = *row.valueOf(word); });
+    choose(row, target, std::string("default ") + row.wordOf(target));
+  }
+
+  /** \brief The same, left out where other options decide. */
+  template <typename Value, std::size_t Count>
+  void
+  choice(const ChoiceSetting<Value, Count>& row,
+         std::optional<Value>& target,
+         const std::string& note)
+  {
+    choose(row, target, note);
   }
 
   /** \brief Refuse the first option together with any of the others. */
@@ -186,6 +189,22 @@ private:
          const std::string& placeholder,
          const std::string& help,
          const Take& take);
+
+  template <typename Value, std::size_t Count, typename Target>
+  void
+  choose(const ChoiceSetting<Value, Count>& row,
+         Target& target,
+         const std::string& note)
+  {
+    std::vector<std::string> words;
+    for (const auto& each : row.words)
+      words.emplace_back(each.word);
+    choose(optionName(row),
+           row.placeholder,
+           words,
+           std::string(row.meaning) + "; " + note,
+           [=, &target](const std::string& word) { target = *row.valueOf(word); });
+  }
 
   /** An option that takes one of the words and nothing else. */
   void

@@ -27,8 +27,8 @@ struct HullFittingSettings {
   /** Parts, K': at least 1. Fewer come out where that takes no place more, or where
    *  there are fewer points. The default leaves the number to the bound. */
   std::size_t parts = 1;
-  /** T: no hull may hold a place that is farther from the scan, CID_h <= T; metres,
-   * above 0. The default is no bound. */
+  /** T: no hull may hold a place that is farther from the scan's points(), CID_h <= T;
+   *  metres, above 0. The default is no bound. */
   double max_error = std::numeric_limits<double>::infinity();
   /** Radius of the robot that the places are for, metres, 0 or more. A place is refused
    *  when a hull is nearer than this. */
@@ -38,7 +38,7 @@ struct HullFittingSettings {
    *  without viewpoints all count. */
   std::vector<Eigen::Vector3d> viewpoints;
   /** Least width of a hull (ConvexPartOptions), which the bound T makes allowance for:
-   *  metres. */
+   *  metres; raised to hull_tolerance of the scan's diagonal. */
   double min_thickness = setting::min_thickness.initial;
 
   bool

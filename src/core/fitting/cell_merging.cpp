@@ -199,11 +199,12 @@ private:
         });
   }
 
-  /** Beyond this a pair is not looked at closely: there are much cheaper ones. */
+  /** Beyond this a pair is not looked at closely: there are much cheaper ones. The cost
+   *  of hulls that overlap is below 0, as their volumes are counted twice. */
   double
   limitOf(const std::vector<Pair>& pairs) const
   {
-    double cheapest = queue_.empty() ? 0.0 : queue_.top().cost;
+    double cheapest = queue_.empty() ? 0.0 : std::max(queue_.top().cost, 0.0);
     for (const Pair& pair : pairs)
       cheapest = std::max(cheapest, pair.cost);
     return cheapest == impossible ? impossible : least_limit + 2.0 * cheapest;

@@ -11,8 +11,11 @@
 #include "base/sentence.h"
 #include "cell.h"
 
+#include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/hull_fitting.h>
 #include <pcl_cid/exceptions.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <numeric>
@@ -37,13 +40,25 @@ requireUsable(const HullFittingSettings& settings)
   for (std::size_t i = 0; i < settings.viewpoints.size(); ++i)
     if (!settings.viewpoints[i].allFinite())
       throw CIDException(sentence("viewpoint ", i, " is not finite"));
-  if (settings.hasBound() && settings.max_error <= settings.min_thickness)
+}
+
+/** Least width of a hull: thinner than its tolerance, it would have no faces. */
+double
+thicknessOf(const Points& points, const HullFittingSettings& settings)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : points)
+    box.extend(p.cast<double>());
+  const double thickness =
+      std::max(settings.min_thickness, hull_tolerance * box.diagonal().norm());
+  if (settings.hasBound() && settings.max_error <= thickness)
     throw CIDException(sentence("the bound of ",
                                 settings.max_error,
                                 " m on the error is not above the least thickness of a "
                                 "hull, ",
-                                settings.min_thickness,
+                                thickness,
                                 " m; choose a larger bound or thinner hulls"));
+  return thickness;
 }
 
 std::vector<Eigen::Vector3d>
@@ -116,6 +131,7 @@ fitHulls(const PreparedScan& scan,
 {
   requireUsable(settings);
   const Points& points = scan.points().points;
+  const double thickness = thicknessOf(points, settings);
   const std::vector<Eigen::Vector3d> viewpoints = localViewpoints(scan, settings);
   const int threads = threadCount(execution.threads);
   Progress progress(execution.progress);
@@ -124,7 +140,7 @@ fitHulls(const PreparedScan& scan,
   const FreeSpace space(points, scan.field(), clearance, viewpoints, threads, progress);
   // Places deeper than the bound allows, where only those count that were seen.
   std::optional<FreeSpace> deep;
-  const double max_error = settings.max_error - settings.min_thickness;
+  const double max_error = settings.max_error - thickness;
   if (settings.hasBound() && !viewpoints.empty())
     deep.emplace(points, scan.field(), max_error, viewpoints, threads, progress);
   const FittingScene scene{points,
@@ -133,7 +149,7 @@ fitHulls(const PreparedScan& scan,
                            deep ? &*deep : nullptr,
                            settings.robot_radius,
                            max_error,
-                           settings.min_thickness,
+                           thickness,
                            threads};
 
   const std::vector<Cell> cells = bestOfRounds(scene, settings.parts, progress);

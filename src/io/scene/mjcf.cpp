@@ -39,7 +39,7 @@ sizeOf(const HullPrimitive& primitive)
 
 /** Where a part is, and its shape. */
 std::string
-geometryOf(std::size_t part, const SceneDescription& scene)
+mjcfGeometry(std::size_t part, const SceneDescription& scene)
 {
   const HullPrimitive* primitive = primitiveOf(part, scene, allKinds());
   if (!primitive)
@@ -67,7 +67,7 @@ writeMJCF(std::ostream& stream,
              << meshReference(i, scene) << "\"/>\n";
   stream << "  </asset>\n  <worldbody>\n";
   for (std::size_t i = 0; i < parts.size(); ++i)
-    stream << "    <geom name=\"" << partName(i) << "\" " << geometryOf(i, scene)
+    stream << "    <geom name=\"" << partName(i) << "\" " << mjcfGeometry(i, scene)
            << " rgba=\"" << rgba(i) << "\"/>\n";
   stream << "  </worldbody>\n</mujoco>\n";
 }

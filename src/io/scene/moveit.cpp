@@ -53,9 +53,9 @@ shapeAsText(const HullPrimitive& primitive)
 
 /** Where a part is, and its one shape. */
 std::string
-geometryOf(std::size_t part,
-           const std::vector<ConvexPart>& parts,
-           const SceneDescription& scene)
+moveItGeometry(std::size_t part,
+               const std::vector<ConvexPart>& parts,
+               const SceneDescription& scene)
 {
   const HullPrimitive* primitive = primitiveOf(part, scene, kindsWithoutCapsule());
   if (!primitive)
@@ -78,7 +78,7 @@ writeMoveItScene(std::ostream& stream,
   stream << scene.name << '\n';
   for (std::size_t i = 0; i < parts.size(); ++i)
     stream << "* " << partName(i) << '\n'
-           << geometryOf(i, parts, scene) << "0 0 0\n"
+           << moveItGeometry(i, parts, scene) << "0 0 0\n"
            << no_turn << rgba(i) << "\n0\n";
   stream << ".\n";
 }

@@ -27,7 +27,7 @@ element(const std::string& name, const std::string& content)
 }
 
 std::string
-shapeOf(const HullPrimitive& primitive)
+sdfShape(const HullPrimitive& primitive)
 {
   const std::string name = nameOf(primitive.kind);
   const std::string radius = element("radius", numbers({primitive.radius()}));
@@ -46,11 +46,11 @@ shapeOf(const HullPrimitive& primitive)
 
 /** Where a part is, and its shape. */
 std::string
-geometryOf(std::size_t part, const SceneDescription& scene)
+sdfGeometry(std::size_t part, const SceneDescription& scene)
 {
   const HullPrimitive* primitive = primitiveOf(part, scene, allKinds());
   const std::string shape =
-      primitive ? shapeOf(*primitive)
+      primitive ? sdfShape(*primitive)
                 : element("mesh", element("uri", meshReference(part, scene)));
   return "        <pose>" + numbers(primitive ? primitive->center : scene.origin) +
          " " + (primitive ? rollPitchYaw(primitive->axes) : "0 0 0") +
@@ -84,7 +84,7 @@ writeSDF(std::ostream& stream,
          << escaped(scene.frame) << "\">\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = partName(i);
-    const std::string geometry = geometryOf(i, scene);
+    const std::string geometry = sdfGeometry(i, scene);
     const std::string color = rgba(i);
     stream << "      <visual name=\"" << name << "\">\n"
            << geometry << "        <material><ambient>" << color

@@ -20,7 +20,7 @@ namespace pcl_cid {
 namespace {
 
 std::string
-shapeOf(const HullPrimitive& primitive)
+urdfShape(const HullPrimitive& primitive)
 {
   const std::string radius = " radius=\"" + numbers({primitive.radius()}) + "\"";
   switch (primitive.kind) {
@@ -36,11 +36,11 @@ shapeOf(const HullPrimitive& primitive)
 
 /** Where a part is, and its shape. */
 std::string
-geometryOf(std::size_t part, const SceneDescription& scene)
+urdfGeometry(std::size_t part, const SceneDescription& scene)
 {
   const HullPrimitive* primitive = primitiveOf(part, scene, kindsWithoutCapsule());
   const std::string shape =
-      primitive ? shapeOf(*primitive)
+      primitive ? urdfShape(*primitive)
                 : "<mesh filename=\"" + meshReference(part, scene) + "\"/>";
   return "      <origin xyz=\"" +
          numbers(primitive ? primitive->center : scene.origin) + "\" rpy=\"" +
@@ -61,7 +61,7 @@ writeURDF(std::ostream& stream,
          << "\">\n  <link name=\"" << escaped(scene.frame) << "\">\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string name = partName(i);
-    const std::string geometry = geometryOf(i, scene);
+    const std::string geometry = urdfGeometry(i, scene);
     stream << "    <visual name=\"" << name << "\">\n"
            << geometry << "      <material name=\"" << name << "\"><color rgba=\""
            << rgba(i) << "\"/></material>\n    </visual>\n    <collision name=\""

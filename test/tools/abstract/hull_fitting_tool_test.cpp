@@ -57,6 +57,46 @@ TEST_F(HullFittingTool, KeepsTheBoundAndVerifiesIt)
   EXPECT_EQ(tight["parameters"]["max_error"], 0.3);
 }
 
+TEST_F(HullFittingTool, IsTheDefaultWhereNothingIsAboutGroups)
+{
+  const auto ruleOf = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all = {
+        scan_, file("hulls.obj"), "--report", file("report.json")};
+    all.insert(all.end(), options.begin(), options.end());
+    const ToolRun ran = run("pcl_cid_abstract", all);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return nlohmann::json::parse(readText(file("report.json")))["parameters"]["merging"]
+        .get<std::string>();
+  };
+  EXPECT_EQ(ruleOf({"--parts", "4"}), "hull");
+  EXPECT_EQ(ruleOf({"--max-error", "0.5"}), "hull");
+  EXPECT_EQ(ruleOf({}), "cid");
+  EXPECT_EQ(ruleOf({"--parts", "4", "--merging", "cid"}), "cid");
+  EXPECT_EQ(ruleOf({"--threshold", "0.1"}), "cid");
+  EXPECT_EQ(ruleOf({"--parts", "4", "--seeds", "12"}), "cid");
+  EXPECT_EQ(ruleOf({"--parts", "4", "--tree", file("tree.json")}), "cid");
+}
+
+TEST_F(HullFittingTool, TheBoundComesBeforeTheNumberOfParts)
+{
+  const nlohmann::json report = reportOf({"--max-error", "0.3", "--parts", "1"});
+  EXPECT_GT(report["parts"].size(), 1u);
+  ASSERT_EQ(report["remarks"].size(), 1u);
+  const std::string remark = report["remarks"][0];
+  for (const std::string& part : std::vector<std::string>{
+           "0.3 m", std::to_string(report["parts"].size()), "says 1"})
+    EXPECT_NE(remark.find(part), std::string::npos) << remark;
+
+  const auto names = folder_.names();
+  const ToolRun strict =
+      run("pcl_cid_abstract",
+          {scan_, file("no.obj"), "--max-error", "0.3", "--parts", "1", "--strict"});
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_NE(strict.err.find("--strict"), std::string::npos) << strict.err;
+  EXPECT_EQ(folder_.names(), names);
+  EXPECT_EQ(run("pcl_cid_abstract", {scan_, file("no.obj"), "--strict"}).exit_code, 2);
+}
+
 TEST_F(HullFittingTool, TakesViewpoints)
 {
   writeText(file("viewpoints.json"), "[[0, 0, 1]]");
@@ -90,9 +130,12 @@ TEST_F(HullFittingTool, RefusesOptionsThatDoNotGoTogether)
 {
   const std::vector<std::vector<std::string>> refused = {
       {"--merging", "hull"},
-      {"--parts", "3", "--max-error", "0.1"},
-      {"--parts", "3", "--robot-radius", "0.1"},
-      {"--parts", "3", "--viewpoints", "cloud"},
+      {"--robot-radius", "0.1"},
+      {"--viewpoints", "cloud"},
+      {"--merging", "cid", "--parts", "3", "--max-error", "0.1"},
+      {"--merging", "cid", "--parts", "3", "--robot-radius", "0.1"},
+      {"--seeds", "12", "--parts", "3", "--viewpoints", "cloud"},
+      {"--merging", "hull", "--parts", "3", "--seeds", "12"},
       {"--merging", "hull", "--threshold", "0.1"},
       {"--merging", "hull", "--max-error", "0.1", "--merges", "3"},
       {"--merging", "hull", "--parts", "3", "--tree", "tree.json"},
