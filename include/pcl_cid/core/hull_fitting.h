@@ -66,7 +66,7 @@ struct HullFitting {
  *  The scan is divided into many small cells, by planes, where that frees most places.
  *  Then neighbors are joined: always the two whose common hull takes the fewest places
  *  that were free until then, as long as CID_h keeps the bound. Points inside of
- * several hulls are given to one of them. This is done four times, each time from the
+ * several hulls are given to one of them. This is done five times, each time from the
  * parts of the time before, and the best result is kept.
  *
  *  Free places are those of a grid that are at least `robot_radius` (and at least

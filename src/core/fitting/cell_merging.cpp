@@ -33,6 +33,28 @@ constexpr double least_limit = 64.0;
  *  nobody can use shall stay empty, too. */
 constexpr double volume_weight = 0.01;
 
+/** The corners of a hull that are farthest in one of 26 directions. */
+std::vector<Eigen::Vector3d>
+extremesOf(const FastHull& hull)
+{
+  std::set<std::size_t> chosen;
+  for (int d = 0; d < 27; ++d) {
+    const Eigen::Vector3d direction(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
+    const auto farthest =
+        std::max_element(hull.vertices.begin(),
+                         hull.vertices.end(),
+                         [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                           return direction.dot(a) < direction.dot(b);
+                         });
+    if (farthest != hull.vertices.end())
+      chosen.insert(static_cast<std::size_t>(farthest - hull.vertices.begin()));
+  }
+  std::vector<Eigen::Vector3d> extremes;
+  for (const std::size_t v : chosen)
+    extremes.push_back(hull.vertices[v]);
+  return extremes;
+}
+
 Eigen::AlignedBox3d
 grown(const Eigen::AlignedBox3d& box, double margin)
 {
@@ -43,16 +65,17 @@ grown(const Eigen::AlignedBox3d& box, double margin)
 /** Joins parts of a scan two at a time. The number of places that some part takes is
  * the sum of what each join takes anew, as a hull holds the hulls that it was made of.
  *
- *  The cost of a pair is an upper bound once anything was joined elsewhere: places that
- *  another part takes in the meantime are taken already. It is a guess, the larger cost
- *  of two pairs inside, until it is asked for. */
+ *  The cost of a pair is a guess at first: that of a pair inside. When it is among the
+ *  lowest, a few corners of both parts bound it from below, and only when it still is,
+ *  their hull is made. From then on the cost is an upper bound: places that another
+ * part takes in the meantime are taken already. */
 class Merging {
 public:
   Merging(const std::vector<Cell>& cells, const FittingScene& scene, Progress& progress)
   : scene_(scene), progress_(progress), taken_(scene.space.size()), left_(cells.size())
   {
     for (const Cell& cell : cells) {
-      parts_.push_back({cell, {}, true});
+      parts_.push_back({cell, extremesOf(cell.hull), {}, true});
       take(cell);
     }
     Eigen::AlignedBox3d all;
@@ -68,7 +91,7 @@ public:
   {
     const std::size_t begun_with = left_;
     while (left_ > parts) {
-      const std::vector<Pair> cheapest = findCheapest(1 + (left_ - parts) / 64);
+      const std::vector<Pair> cheapest = findCheapest(1 + (left_ - parts) / 128);
       if (cheapest.empty() && !linkFarther())
         break;
       for (const Pair& pair : cheapest)
@@ -89,13 +112,17 @@ private:
 
   struct Part {
     Cell cell;
+    std::vector<Eigen::Vector3d> extremes; ///< a few corners of the hull
     std::set<std::size_t> neighbors;
     bool is_alive;
   };
 
+  /** What is known of a cost. */
+  enum class Known { guess, bound, cost };
+
   struct Pair {
     double cost;
-    bool is_known;
+    Known known;
     std::size_t a;
     std::size_t b; ///< above a
 
@@ -103,8 +130,8 @@ private:
     bool
     operator<(const Pair& other) const
     {
-      return std::tie(other.cost, other.is_known, other.a, other.b) <
-             std::tie(cost, is_known, a, b);
+      return std::tie(other.cost, other.known, other.a, other.b) <
+             std::tie(cost, known, a, b);
     }
   };
 
@@ -120,7 +147,7 @@ private:
   {
     parts_[a].neighbors.insert(b);
     parts_[b].neighbors.insert(a);
-    queue_.push({guess, false, std::min(a, b), std::max(a, b)});
+    queue_.push({guess, Known::guess, std::min(a, b), std::max(a, b)});
   }
 
   /** A robot cannot pass between neighbors; or, where the robot is large, they are
@@ -170,33 +197,56 @@ private:
   FastHull
   hullOf(std::size_t a, std::size_t b) const
   {
-    std::vector<Eigen::Vector3d> vertices = parts_[a].cell.hull.vertices;
-    const std::vector<Eigen::Vector3d>& others = parts_[b].cell.hull.vertices;
+    return hullOfBoth(parts_[a].cell.hull.vertices, parts_[b].cell.hull.vertices);
+  }
+
+  static FastHull
+  hullOfBoth(std::vector<Eigen::Vector3d> vertices,
+             const std::vector<Eigen::Vector3d>& others)
+  {
     vertices.insert(vertices.end(), others.begin(), others.end());
     return fastHull(vertices);
   }
 
-  /** What a hull takes anew: places, and volume. Counting ends where it exceeds a
-   *  limit; the pair is a guess then. */
+  /** Find out more about the cost of a pair. */
   void
-  setCost(Pair& pair, double limit) const
+  look(Pair& pair, double limit) const
   {
-    const FastHull hull = hullOf(pair.a, pair.b);
+    if (pair.known == Known::guess) {
+      const FastHull inner =
+          hullOfBoth(parts_[pair.a].extremes, parts_[pair.b].extremes);
+      const double guess = pair.cost;
+      if (!inner.faces.empty())
+        setCost(pair, inner, limit);
+      pair.cost = std::max(pair.cost, guess);
+      pair.known = pair.cost == impossible ? Known::cost : Known::bound;
+    }
+    else {
+      setCost(pair, hullOf(pair.a, pair.b), limit);
+    }
+  }
+
+  /** What a hull takes anew: places, and volume. Counting ends where it exceeds a
+   *  limit; the cost is a bound then. */
+  void
+  setCost(Pair& pair, const FastHull& hull, double limit) const
+  {
     // First, as a hull that breaks the bound is found out before its places are
     // counted.
     if (hull.faces.empty() || !scene_.keepsBound(hull)) {
-      pair = {impossible, true, pair.a, pair.b};
+      pair = {impossible, Known::cost, pair.a, pair.b};
       return;
     }
     const double volume =
         hull.volume - parts_[pair.a].cell.hull.volume - parts_[pair.b].cell.hull.volume;
     pair.cost = volume_weight * volume / scene_.space.placeVolume();
-    pair.is_known = visitPlacesNear(
+    const bool is_counted = visitPlacesNear(
         hull, scene_.space, scene_.robot_radius, [&](const PlaceRange& range) {
           pair.cost += static_cast<double>(
               std::count(taken_.begin() + range.begin, taken_.begin() + range.end, 0));
           return pair.cost <= limit;
         });
+    pair.known = is_counted ? Known::cost : Known::bound;
   }
 
   /** Beyond this a pair is not looked at closely: there are much cheaper ones. The cost
@@ -234,8 +284,8 @@ private:
     return cheapest;
   }
 
-  /** Compare pairs until the first one in the queue is known; false when there is none.
-   */
+  /** Look at pairs until the cost of the first one in the queue is known; false when
+   *  there is none. */
   bool
   lookAtCheapest()
   {
@@ -243,7 +293,7 @@ private:
       std::vector<Pair> guesses;
       while (!queue_.empty() && guesses.size() < compared_at_once) {
         const Pair pair = queue_.top();
-        if (isCurrent(pair) && pair.is_known)
+        if (isCurrent(pair) && pair.known == Known::cost)
           break;
         queue_.pop();
         if (isCurrent(pair))
@@ -266,7 +316,7 @@ private:
                 {},
                 [&](std::size_t begin, std::size_t end) {
                   for (std::size_t i = begin; i < end; ++i)
-                    setCost(pairs[i], limit);
+                    look(pairs[i], limit);
                 });
     for (const Pair& pair : pairs) {
       known_[{pair.a, pair.b}] = pair.cost;
@@ -289,7 +339,8 @@ private:
     cell.near = placesNear(cell.hull, scene_.space, scene_.robot_radius);
     take(cell);
     const std::size_t made = parts_.size();
-    parts_.push_back({std::move(cell), {}, true});
+    std::vector<Eigen::Vector3d> extremes = extremesOf(cell.hull);
+    parts_.push_back({std::move(cell), std::move(extremes), {}, true});
     for (const std::size_t old : {pair.a, pair.b}) {
       parts_[old].is_alive = false;
       const pcl::Indices& points = parts_[old].cell.points;

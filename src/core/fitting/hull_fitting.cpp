@@ -27,7 +27,7 @@ namespace {
 
 /** Later rounds begin from the parts of the one before, whose borders are better places
  *  to cut than those of a first guess. */
-constexpr int rounds = 4;
+constexpr int rounds = 5;
 
 void
 requireUsable(const HullFittingSettings& settings)
