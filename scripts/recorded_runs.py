@@ -176,8 +176,9 @@ def abstract(runs):
     # Hulls of many cuts take long on large scans, and so do the seeds that coverage needs.
     curve = "--curve curve.csv" if scan.is_quick else ""
     seeds = "--coverage 0.2" if scan.is_quick else "--seeds 40"
-    runs.abstract("paper", f"hulls.obj {PAPER} --parts 30 --report report.json")
+    runs.abstract("paper", f"hulls.obj {PAPER} --seeds 100 --parts 30 --report report.json")
     runs.abstract("defaults", "hulls.obj")
+    runs.abstract("hull", "hulls.obj --merging hull --parts 20 --viewpoints cloud --report report.json")
     runs.abstract(
         "all options",
         "hulls.ply --parts 12 --group-samples 20 --min-points 5 --labels labels.ply "

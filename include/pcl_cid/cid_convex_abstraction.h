@@ -75,9 +75,11 @@ public:
 
   /** \brief Give the hulls of parts as few vertices as the error allows: that of
    *  setMaxError() where parts are merged by hull, else a share of each hull's size
-   * (see simplifyHulls()). They hold their points as before. \param[in,out] parts of
-   * the last reconstruct(); the input must still be the same \throws CIDException,
-   * CIDCancelled */
+   * (see simplifyHulls()). They hold their points as before.
+   *
+   *  \param[in,out] parts of the last reconstruct(); the input must still be the same
+   *
+   *  \throws CIDException, CIDCancelled */
   void
   simplify(std::vector<ConvexPart>& parts);
 
