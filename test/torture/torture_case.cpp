@@ -332,15 +332,6 @@ extentOf(const TortureCloud& cloud)
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
-/** Thin next to the places of the robot, and thick next to rounding. */
-double
-usualThickness(double thickness, double extent, double robot_radius)
-{
-  const double least = std::max(1e-6 * extent, setting::min_thickness.least);
-  const double most = std::max(robot_radius, setting::free_distance.initial) / 12.0;
-  return std::clamp(thickness, least, std::max(least, most));
-}
-
 FittingCase
 drawFitting(const TortureCloud& cloud,
             const Place& place,
@@ -361,7 +352,7 @@ drawFitting(const TortureCloud& cloud,
   const double least = std::min((dice.oneIn(16) ? 0.03 : 0.25) * extent, 1e15);
   if (least > setting::free_distance.initial)
     settings.robot_radius = std::max(settings.robot_radius, least);
-  settings.min_thickness = usualThickness(thickness, extent, settings.robot_radius);
+  settings.min_thickness = thickness;
   if (!fitting.has_parts ? !dice.oneIn(8) : dice.oneIn(6))
     settings.max_error = drawBound(size, settings.min_thickness, dice);
   if (dice.oneIn(2))
