@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "clouds.h"
+#include "hull/hull_mesh.h"
 #include "hulls.h"
 #include "prepared_points.h"
 
@@ -27,15 +28,6 @@ namespace pcl_cid::test {
 namespace {
 
 using Positions = std::vector<Eigen::Vector3d>;
-
-double
-diagonalOf(const TriangleMesh& hull)
-{
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : hull.vertices)
-    box.extend(v);
-  return box.diagonal().norm();
-}
 
 /** At most the distance from a place to the hull of some points, and hardly less: the
  *  nearest point so far goes towards the vertex that is farthest in the direction of
