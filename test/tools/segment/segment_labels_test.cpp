@@ -81,9 +81,9 @@ template <typename Value>
 class LabelledInput : public SegmentTool {
 };
 
-using LabelTypes =
+using TypesOfLabels =
     testing::Types<std::uint8_t, std::uint16_t, std::uint32_t, std::int32_t, float>;
-TYPED_TEST_SUITE(LabelledInput, LabelTypes);
+TYPED_TEST_SUITE(LabelledInput, TypesOfLabels);
 
 TYPED_TEST(LabelledInput, PlaysTheAnnotatorWhateverItsType)
 {
