@@ -25,7 +25,7 @@
 namespace pcl_cid::test {
 namespace {
 
-using Change = std::function<void(HullPrimitive&)>;
+using PrimitiveChange = std::function<void(HullPrimitive&)>;
 
 /** Simple bodies, of which one is tampered with before they are written. */
 class PrimitiveVerification : public testing::Test {
@@ -43,7 +43,7 @@ protected:
   std::string
   complaintAbout(const SceneFormat& format,
                  std::size_t part,
-                 const Change& change,
+                 const PrimitiveChange& change,
                  const tools::ErrorVerification* error = nullptr)
   {
     const SimpleBodies bodies =
