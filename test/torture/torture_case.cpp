@@ -352,7 +352,9 @@ drawFitting(const TortureCloud& cloud,
   const double least = std::min((dice.oneIn(16) ? 0.03 : 0.25) * extent, 1e15);
   if (least > setting::free_distance.initial)
     settings.robot_radius = std::max(settings.robot_radius, least);
-  settings.min_thickness = thickness;
+  // Each hull takes very many places where it is thicker than that.
+  settings.min_thickness = std::min(
+      thickness, std::max(settings.robot_radius, setting::free_distance.initial));
   if (!fitting.has_parts ? !dice.oneIn(8) : dice.oneIn(6))
     settings.max_error = drawBound(size, settings.min_thickness, dice);
   if (dice.oneIn(2))
