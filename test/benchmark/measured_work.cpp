@@ -38,6 +38,7 @@ namespace {
 
 constexpr int extended_by = 10;
 constexpr std::size_t parts_of_cut = 30;
+constexpr int hulls_made = 60;
 constexpr std::size_t checked_points = 50;
 /** The literal method would go through the points in their order, for which the caches
  *  of the processor thank it: the pairs are drawn in runs of neighbors. */
@@ -317,6 +318,24 @@ handle(const Work& work, const Cloud::ConstPtr& cloud)
   return result;
 }
 
+template <MergingRule rule>
+Measurement
+hulls(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  const Stopwatch watch;
+  CIDConvexAbstraction<pcl::PointXYZ> abstraction;
+  abstraction.setInputCloud(cloud);
+  configure(work, abstraction);
+  abstraction.setMergingRule(rule);
+  abstraction.setNumberOfParts(hulls_made);
+  abstraction.setStopAtCut(true);
+  std::vector<ConvexPart> parts;
+  abstraction.reconstruct(parts);
+  Measurement result;
+  result.seconds = watch.seconds();
+  return result;
+}
+
 constexpr std::size_t corrections = 100;
 
 double
@@ -418,6 +437,8 @@ works()
       {"literal", literal},
       {"check", check},
       {"handle", handle},
+      {"hulls", hulls<MergingRule::cid>},
+      {"fit", hulls<MergingRule::hull>},
       {"add", addOneSeed},
       {"remove", removeOneSeed},
       {"busy", besideBusyProcesses},

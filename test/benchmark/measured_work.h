@@ -46,6 +46,7 @@ struct Work {
  *  \li `check`: not a measurement; LiteralMethod for some points and all seeds must
  *  find the groups that `segment` finds
  *  \li `handle`: labels and 30 hulls from the groups that CIDSampler has found
+ *  \li `hulls`, `fit`: 60 hulls from the cloud, by CID and by hull
  *  \li `add`, `remove`: one seed joins, or leaves, a grouping with K seeds; the median
  * of 100 */
 bool
