@@ -222,7 +222,11 @@ private:
       pair.known = pair.cost == impossible ? Known::cost : Known::bound;
     }
     else {
-      setCost(pair, hullOf(pair.a, pair.b), limit);
+      const FastHull hull = hullOf(pair.a, pair.b);
+      setCost(pair, hull, limit);
+      // To certify the bound for all of space takes longer than to count places.
+      if (pair.known == Known::cost && !scene_.deep && !scene_.keepsBound(hull))
+        pair.cost = impossible;
     }
   }
 
