@@ -23,7 +23,7 @@ run build/release/bin/pcl_cid_segment data/room.pcd build/demo/room_segmented.pc
 
 step "The scan as 30 convex hulls"
 run build/release/bin/pcl_cid_abstract data/room.pcd build/demo/room_hulls.obj \
-  --parts 30 --labels build/demo/room_parts.pcd \
+  --parts 30 --viewpoints data/room_truth.json --labels build/demo/room_parts.pcd \
   --report build/demo/room_hulls.json
 
 step "Results"

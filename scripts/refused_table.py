@@ -17,12 +17,13 @@ from pathlib import Path
 RULES = ["cid", "hull"]
 
 
-def make_hulls(tools, scan, viewpoints, rule, number, path):
-    command = [tools / "pcl_cid_abstract", scan, path, "--parts", number, "--merging", rule, "--quiet"]
+def make_hulls(tools, scan, viewpoints, rule, number, radius, path):
+    command = [tools / "pcl_cid_abstract", scan, path, "--parts", number, "--merging", rule,
+               "--quiet"]
     if rule == "cid":
         command += ["--seeds", max(100, number)]
     else:
-        command += ["--viewpoints", viewpoints or "cloud"]
+        command += ["--robot-radius", radius, "--viewpoints", viewpoints or "cloud"]
     subprocess.run([str(word) for word in command], check=True)
 
 
@@ -46,7 +47,7 @@ def row_of(tools, argument, arguments):
         for number in arguments.hulls:
             hulls = [Path(folder) / f"{rule}_{number}.obj" for rule in RULES]
             for rule, path in zip(RULES, hulls):
-                make_hulls(tools, scan, viewpoints, rule, number, path)
+                make_hulls(tools, scan, viewpoints, rule, number, arguments.robot_radius, path)
             rows = measure(tools, scan, viewpoints, hulls, arguments)
             missed = [name for name in rows[0] if name.startswith("missed")]
             if any(float(row[name]) > 0 for row in rows for name in missed):

@@ -12,7 +12,6 @@
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -222,7 +221,7 @@ CIDPartParameters::simplifyParts(const PreparedScan::ConstPtr& scan,
   std::optional<ErrorBound> bound;
   if (merging_rule_ == MergingRule::hull && fitting_settings_.hasBound())
     bound.emplace(scan,
-                  fitting_settings_.max_error + std::sqrt(3.0) * hull_options_.padding,
+                  paddedBound(fitting_settings_.max_error, hull_options_.padding),
                   fitting_settings_.viewpoints,
                   to_prepare);
   simplifyHulls(parts, scan->points().frame, bound ? &*bound : nullptr, to_simplify);

@@ -20,6 +20,7 @@
 #include "tightness_curve.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/viewpoints.h>
@@ -74,9 +75,7 @@ localViewpoints(const AbstractSettings& settings,
 {
   if (settings.viewpoints == "cloud")
     return {scan.points.points->sensor_origin_.head<3>().cast<double>()};
-  for (Eigen::Vector3d& viewpoint : read)
-    viewpoint = scan.points.frame.toLocal(viewpoint);
-  return read;
+  return scan.points.frame.toLocal(std::move(read));
 }
 
 void
@@ -326,7 +325,10 @@ errorVerification(const AbstractSettings& settings,
   if (!settings.max_error)
     return std::nullopt;
   return std::optional<ErrorVerification>(
-      std::in_place, scan.points, paddedBound(settings), viewpoints);
+      std::in_place,
+      scan.points,
+      paddedBound(*settings.max_error, settings.hulls.padding),
+      viewpoints);
 }
 
 void

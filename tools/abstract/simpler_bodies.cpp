@@ -12,7 +12,6 @@
 #include <pcl_cid/core/hull_simplification.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace pcl_cid::tools {
@@ -45,12 +44,6 @@ verticesOf(const std::vector<ConvexPart>& parts)
 
 } // namespace
 
-double
-paddedBound(const AbstractSettings& settings)
-{
-  return *settings.max_error + std::sqrt(3.0) * settings.hulls.padding;
-}
-
 Primitives
 findPrimitives(const AbstractSettings& settings,
                const Viewpoints& viewpoints,
@@ -67,7 +60,10 @@ findPrimitives(const AbstractSettings& settings,
   options.kinds = settings.scenes.primitiveKinds();
   std::optional<ErrorBound> bound;
   if (settings.max_error) {
-    bound.emplace(scan, paddedBound(settings), viewpoints, execution);
+    bound.emplace(scan,
+                  paddedBound(*settings.max_error, settings.hulls.padding),
+                  viewpoints,
+                  execution);
     options.may_replace = [&](const TriangleMesh& body) {
       return bound->isKeptBy(body);
     };

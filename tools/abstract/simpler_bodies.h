@@ -29,11 +29,6 @@ using Viewpoints = std::vector<Eigen::Vector3d>;
 /** What stands for each part; empty when primitives are not asked for. */
 using Primitives = std::vector<std::optional<HullPrimitive>>;
 
-/** \brief The bound on hulls as they are written: padding comes on top of it.
- *  \param[in] settings with a bound */
-double
-paddedBound(const AbstractSettings& settings);
-
 /** \brief What stands for hulls in scenes, within the bound, when asked for. */
 Primitives
 findPrimitives(const AbstractSettings& settings,

@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace pcl_cid {
@@ -23,6 +25,14 @@ struct Frame {
   toLocal(const Eigen::Vector3d& p) const
   {
     return p - origin;
+  }
+
+  std::vector<Eigen::Vector3d>
+  toLocal(std::vector<Eigen::Vector3d> positions) const
+  {
+    for (Eigen::Vector3d& p : positions)
+      p = toLocal(p);
+    return positions;
   }
 
   Eigen::Vector3d

@@ -21,6 +21,11 @@
 
 namespace pcl_cid {
 
+/** \brief The bound that padded hulls keep when they keep one without their padding: a
+ *  corner of a hull goes outward by up to sqrt(3) times the padding. Metres. */
+PCL_CID_EXPORT double
+paddedBound(double max_error, double padding);
+
 /** \brief The bound T on the error of hulls, asked of one body at a time: as fitHulls()
  *  keeps it. Thread safety: const calls may run concurrently. */
 class PCL_CID_EXPORT ErrorBound {

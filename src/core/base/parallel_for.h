@@ -140,4 +140,19 @@ parallelFor(std::size_t count,
   progress.check(span.end);
 }
 
+/** \brief Call \a work(i) for each i below \a count: for items that take long. As
+ *  parallelFor() in ranges of one.
+ *  \param[in] work callable as void(std::size_t) */
+template <typename Work>
+void
+parallelForEach(std::size_t count,
+                int threads,
+                Progress& progress,
+                ProgressSpan span,
+                const Work& work)
+{
+  parallelFor(
+      count, 1, threads, progress, span, [&](std::size_t i, std::size_t) { work(i); });
+}
+
 } // namespace pcl_cid

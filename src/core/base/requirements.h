@@ -18,6 +18,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <vector>
+
+#include <Eigen/Core>
 
 namespace pcl_cid {
 
@@ -44,6 +47,15 @@ requireIndex(const char* name, pcl::index_t index, std::size_t count)
   if (index < 0 || static_cast<std::size_t>(index) >= count)
     throw CIDException(sentence(
         "the ", name, " is ", index, "; it must be 0 to ", count, " - 1 (the points)"));
+}
+
+inline void
+requireFinite(const std::vector<Eigen::Vector3d>& viewpoints)
+{
+  for (std::size_t i = 0; i < viewpoints.size(); ++i)
+    if (!viewpoints[i].allFinite())
+      throw CIDException(
+          sentence("viewpoint ", i, " is not finite; it must be a position"));
 }
 
 inline void

@@ -137,18 +137,14 @@ BlockTree::BlockTree(const Points& points, int threads, Progress& progress)
     return sorted.data() + leaf * points.size() / blocks;
   };
   for (std::size_t level = 1; level < blocks; level *= 2)
-    parallelFor(std::min(level, blocks - level),
-                1,
-                threads,
-                progress,
-                {},
-                [&](std::size_t begin, std::size_t end) {
-                  for (std::size_t node = level + begin; node < level + end; ++node)
-                    split(firstOf(firstLeaf(node)),
-                          firstOf(firstLeaf(2 * node + 1)),
-                          firstOf(endLeaf(node)),
-                          progress);
-                });
+    parallelForEach(
+        std::min(level, blocks - level), threads, progress, {}, [&](std::size_t i) {
+          const std::size_t node = level + i;
+          split(firstOf(firstLeaf(node)),
+                firstOf(firstLeaf(2 * node + 1)),
+                firstOf(endLeaf(node)),
+                progress);
+        });
 
   positions_.resize(blocks * PointBlock::capacity);
   boxes_.resize(2 * blocks);

@@ -73,20 +73,11 @@ DistanceGrid::DistanceGrid(const BlockTree& tree,
       static_cast<double>(memory_budget - std::min(even, memory_budget)) /
       static_cast<double>(nodes);
   pieces_.resize(regions.size());
-  parallelFor(regions.size(),
-              1,
-              threads,
-              progress,
-              {},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) {
-                  const double share =
-                      for_each_node * static_cast<double>(regions[k].nodes.size());
-                  growPiece(regions[k],
-                            even / regions.size() + static_cast<std::size_t>(share),
-                            progress);
-                }
-              });
+  parallelForEach(regions.size(), threads, progress, {}, [&](std::size_t k) {
+    const double share = for_each_node * static_cast<double>(regions[k].nodes.size());
+    growPiece(
+        regions[k], even / regions.size() + static_cast<std::size_t>(share), progress);
+  });
   tolerated_error_ = {};
 }
 

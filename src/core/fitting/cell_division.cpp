@@ -259,15 +259,7 @@ private:
   void
   forEach(std::size_t count, const Work& work)
   {
-    parallelFor(count,
-                1,
-                scene_.threads,
-                progress_,
-                {},
-                [&](std::size_t begin, std::size_t end) {
-                  for (std::size_t i = begin; i < end; ++i)
-                    work(i);
-                });
+    parallelForEach(count, scene_.threads, progress_, {}, work);
   }
 
   std::vector<Cell> cells_;

@@ -67,8 +67,8 @@ grown(const Eigen::AlignedBox3d& box, double margin)
  *
  *  The cost of a pair is a guess at first: that of a pair inside. When it is among the
  *  lowest, a few corners of both parts bound it from below, and only when it still is,
- *  their hull is made. From then on the cost is an upper bound: places that another
- * part takes in the meantime are taken already. */
+ *  their hull is made. From then on the cost is an upper bound, as places that another
+ *  part takes in the meantime are taken already. */
 class Merging {
 public:
   Merging(const std::vector<Cell>& cells, const FittingScene& scene, Progress& progress)
@@ -235,9 +235,8 @@ private:
   void
   setCost(Pair& pair, const FastHull& hull, double limit) const
   {
-    // First, as a hull that breaks the bound is found out before its places are
-    // counted.
-    if (hull.faces.empty() || !scene_.keepsBound(hull)) {
+    // First, as places that no hull may hold are found before the others are counted.
+    if (hull.faces.empty() || (scene_.deep && !scene_.keepsBound(hull))) {
       pair = {impossible, Known::cost, pair.a, pair.b};
       return;
     }
@@ -313,15 +312,9 @@ private:
   compare(std::vector<Pair>& pairs)
   {
     const double limit = limitOf(pairs);
-    parallelFor(pairs.size(),
-                1,
-                scene_.threads,
-                progress_,
-                {},
-                [&](std::size_t begin, std::size_t end) {
-                  for (std::size_t i = begin; i < end; ++i)
-                    look(pairs[i], limit);
-                });
+    parallelForEach(pairs.size(), scene_.threads, progress_, {}, [&](std::size_t i) {
+      look(pairs[i], limit);
+    });
     for (const Pair& pair : pairs) {
       known_[{pair.a, pair.b}] = pair.cost;
       queue_.push(pair);

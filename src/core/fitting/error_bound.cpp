@@ -8,7 +8,7 @@
  */
 
 #include "base/parallel_for.h"
-#include "base/sentence.h"
+#include "base/requirements.h"
 #include "hull_cover.h"
 #include "hull_search.h"
 #include "seen_space.h"
@@ -18,17 +18,10 @@
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_cid {
 namespace {
-
-std::vector<Eigen::Vector3d>
-inFrame(const Frame& frame, std::vector<Eigen::Vector3d> positions)
-{
-  for (Eigen::Vector3d& position : positions)
-    position = frame.toLocal(position);
-  return positions;
-}
 
 void
 requireUsable(const PreparedScan::ConstPtr& scan,
@@ -38,9 +31,7 @@ requireUsable(const PreparedScan::ConstPtr& scan,
   if (!scan)
     throw CIDException("there is no scan; a bound on the error needs one");
   require(setting::max_error, max_error);
-  for (std::size_t i = 0; i < viewpoints.size(); ++i)
-    if (!viewpoints[i].allFinite())
-      throw CIDException(sentence("viewpoint ", i, " is not finite"));
+  requireFinite(viewpoints);
 }
 
 } // namespace
@@ -61,6 +52,12 @@ struct ErrorBound::SeenPlaces {
   SeenSpace seen;
 };
 
+double
+paddedBound(double max_error, double padding)
+{
+  return max_error + std::sqrt(3.0) * padding;
+}
+
 ErrorBound::ErrorBound(const PreparedScan::ConstPtr& scan,
                        double max_error,
                        const std::vector<Eigen::Vector3d>& viewpoints,
@@ -73,7 +70,7 @@ ErrorBound::ErrorBound(const PreparedScan::ConstPtr& scan,
   Progress progress(execution.progress);
   seen_ = std::make_unique<SeenPlaces>(*scan,
                                        max_error,
-                                       inFrame(scan->points().frame, viewpoints),
+                                       scan->points().frame.toLocal(viewpoints),
                                        threadCount(execution.threads),
                                        progress);
 }
@@ -83,7 +80,7 @@ ErrorBound::~ErrorBound() = default;
 bool
 ErrorBound::isKeptBy(const TriangleMesh& body) const
 {
-  const FastHull hull = fastHull(inFrame(scan_->points().frame, body.vertices));
+  const FastHull hull = fastHull(scan_->points().frame.toLocal(body.vertices));
   if (hull.faces.empty())
     return false;
   if (!seen_)

@@ -152,14 +152,13 @@ FreeSpace::FreeSpace(const Points& points,
   const auto columns = static_cast<std::size_t>(places_.x());
   std::vector<std::vector<Run>> runs(rows);
   column_.assign(rows * columns + 1, 0);
-  parallelFor(rows, 1, threads, progress, {}, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t y = begin; y < end; ++y)
-      for (std::size_t x = 0; x < columns; ++x) {
-        const std::size_t before = runs[y].size();
-        looking.along(x, y, runs[y]);
-        column_[y * columns + x + 1] =
-            static_cast<std::uint32_t>(runs[y].size() - before);
-      }
+  parallelForEach(rows, threads, progress, {}, [&](std::size_t y) {
+    for (std::size_t x = 0; x < columns; ++x) {
+      const std::size_t before = runs[y].size();
+      looking.along(x, y, runs[y]);
+      column_[y * columns + x + 1] =
+          static_cast<std::uint32_t>(runs[y].size() - before);
+    }
   });
   std::partial_sum(column_.begin(), column_.end(), column_.begin());
   for (const std::vector<Run>& of_row : runs)

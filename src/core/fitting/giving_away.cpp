@@ -118,17 +118,10 @@ private:
   void
   renew()
   {
-    parallelFor(cells_.size(),
-                1,
-                scene_.threads,
-                progress_,
-                {},
-                [&](std::size_t begin, std::size_t end) {
-                  for (std::size_t i = begin; i < end; ++i) {
-                    std::sort(cells_[i].points.begin(), cells_[i].points.end());
-                    cells_[i] = makeCell(std::move(cells_[i].points), scene_);
-                  }
-                });
+    parallelForEach(cells_.size(), scene_.threads, progress_, {}, [&](std::size_t i) {
+      std::sort(cells_[i].points.begin(), cells_[i].points.end());
+      cells_[i] = makeCell(std::move(cells_[i].points), scene_);
+    });
   }
 
   std::vector<Cell> cells_;

@@ -37,9 +37,7 @@ requireUsable(const HullFittingSettings& settings)
     require(setting::max_error, settings.max_error);
   require(setting::robot_radius, settings.robot_radius);
   require(setting::min_thickness, settings.min_thickness);
-  for (std::size_t i = 0; i < settings.viewpoints.size(); ++i)
-    if (!settings.viewpoints[i].allFinite())
-      throw CIDException(sentence("viewpoint ", i, " is not finite"));
+  requireFinite(settings.viewpoints);
 }
 
 /** Least width of a hull: thinner than its tolerance, it would have no faces. */
@@ -59,15 +57,6 @@ thicknessOf(const Points& points, const HullFittingSettings& settings)
                                 thickness,
                                 " m; choose a larger bound or thinner hulls"));
   return thickness;
-}
-
-std::vector<Eigen::Vector3d>
-localViewpoints(const PreparedScan& scan, const HullFittingSettings& settings)
-{
-  std::vector<Eigen::Vector3d> local;
-  for (const Eigen::Vector3d& viewpoint : settings.viewpoints)
-    local.push_back(scan.points().frame.toLocal(viewpoint));
-  return local;
 }
 
 /** Cells that a round begins with: enough to choose from, few enough to compare. */
@@ -132,7 +121,8 @@ fitHulls(const PreparedScan& scan,
   requireUsable(settings);
   const Points& points = scan.points().points;
   const double thickness = thicknessOf(points, settings);
-  const std::vector<Eigen::Vector3d> viewpoints = localViewpoints(scan, settings);
+  const std::vector<Eigen::Vector3d> viewpoints =
+      scan.points().frame.toLocal(settings.viewpoints);
   const int threads = threadCount(execution.threads);
   Progress progress(execution.progress);
   const double clearance =

@@ -48,15 +48,11 @@ simplifyHulls(std::vector<ConvexPart>& parts,
               const ExecutionOptions& execution)
 {
   Progress progress(execution.progress);
-  parallelFor(parts.size(),
-              1,
-              threadCount(execution.threads),
-              progress,
-              {0.0, 1.0},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k)
-                  simplify(parts[k], frame.origin, bound);
-              });
+  parallelForEach(parts.size(),
+                  threadCount(execution.threads),
+                  progress,
+                  {0.0, 1.0},
+                  [&](std::size_t k) { simplify(parts[k], frame.origin, bound); });
 }
 
 } // namespace pcl_cid

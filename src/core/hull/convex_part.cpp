@@ -230,15 +230,12 @@ makeConvexParts(const PointSet& points,
   }
   std::vector<ConvexPart> parts(members.size());
   Progress progress(execution.progress);
-  parallelFor(parts.size(),
-              1,
-              threadCount(execution.threads),
-              progress,
-              {0.0, 1.0},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k)
-                  parts[k] = makeConvexPart(points, members[k], options);
-              });
+  parallelForEach(
+      parts.size(),
+      threadCount(execution.threads),
+      progress,
+      {0.0, 1.0},
+      [&](std::size_t k) { parts[k] = makeConvexPart(points, members[k], options); });
   return parts;
 }
 

@@ -316,19 +316,16 @@ fitPrimitives(const std::vector<ConvexPart>& parts,
                                 "; it must be at least 0"));
   std::vector<std::optional<HullPrimitive>> primitives(parts.size());
   Progress progress(execution.progress);
-  parallelFor(parts.size(),
-              1,
-              threadCount(execution.threads),
-              progress,
-              {0.0, 1.0},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) {
-                  primitives[k] = fitPrimitive(
-                      moved(parts[k].hull, -frame.origin), frame.origin, options);
-                  if (primitives[k])
-                    primitives[k]->center += frame.origin;
-                }
-              });
+  parallelForEach(parts.size(),
+                  threadCount(execution.threads),
+                  progress,
+                  {0.0, 1.0},
+                  [&](std::size_t k) {
+                    primitives[k] = fitPrimitive(
+                        moved(parts[k].hull, -frame.origin), frame.origin, options);
+                    if (primitives[k])
+                      primitives[k]->center += frame.origin;
+                  });
   return primitives;
 }
 

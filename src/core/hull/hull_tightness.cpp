@@ -219,15 +219,11 @@ TightnessMeter::measure(const std::vector<ConvexPart>& parts) const
   Tightness tightness;
   tightness.hulls.resize(local.size());
   Progress progress(options_.execution.progress);
-  parallelFor(local.size(),
-              1,
-              threadCount(options_.execution.threads),
-              progress,
-              {0.0, 0.5},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k)
-                  tightness.hulls[k] = tightnessOf(local[k]);
-              });
+  parallelForEach(local.size(),
+                  threadCount(options_.execution.threads),
+                  progress,
+                  {0.0, 0.5},
+                  [&](std::size_t k) { tightness.hulls[k] = tightnessOf(local[k]); });
   double area = 0.0;
   for (std::size_t k = 0; k < local.size(); ++k) {
     const HullTightness& hull = tightness.hulls[k];

@@ -55,32 +55,24 @@ GroupCIDs::GroupCIDs(const WorkingPoints& points,
       pairs.push_back({i, j});
   // The whole tree depends on every pair, so bounds would save nothing.
   const bool exactly = options.makesWholeTree();
-  parallelFor(pairs.size(),
-              1,
-              threads_,
-              progress_,
-              {0.0, exactly ? 1.0 : bounds_share},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k)
-                  if (exactly)
-                    evaluate(pairs[k]);
-                  else
-                    values_[place(pairs[k])] = lowerBound(pairs[k], efforts.front());
-              });
+  parallelForEach(pairs.size(),
+                  threads_,
+                  progress_,
+                  {0.0, exactly ? 1.0 : bounds_share},
+                  [&](std::size_t k) {
+                    if (exactly)
+                      evaluate(pairs[k]);
+                    else
+                      values_[place(pairs[k])] = lowerBound(pairs[k], efforts.front());
+                  });
 }
 
 void
 GroupCIDs::tighten(const std::vector<Pair>& pairs)
 {
-  parallelFor(pairs.size(),
-              1,
-              threads_,
-              progress_,
-              share(),
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k)
-                  tighten(pairs[k]);
-              });
+  parallelForEach(pairs.size(), threads_, progress_, share(), [&](std::size_t k) {
+    tighten(pairs[k]);
+  });
   tightened_ += pairs.size();
 }
 

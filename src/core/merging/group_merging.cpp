@@ -54,18 +54,15 @@ drawFromGroups(const Points& points,
   std::vector<RandomGenerator::result_type> random_seeds(members.size());
   for (auto& random_seed : random_seeds)
     random_seed = generator();
-  parallelFor(members.size(),
-              1,
-              threadCount(options.execution.threads),
-              progress,
-              {},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t g = begin; g < end; ++g) {
-                  RandomGenerator of_group(random_seeds[g]);
-                  members[g] = drawSpread(
-                      points, std::move(members[g]), options.group_samples, of_group);
-                }
-              });
+  parallelForEach(members.size(),
+                  threadCount(options.execution.threads),
+                  progress,
+                  {},
+                  [&](std::size_t g) {
+                    RandomGenerator of_group(random_seeds[g]);
+                    members[g] = drawSpread(
+                        points, std::move(members[g]), options.group_samples, of_group);
+                  });
   return members;
 }
 

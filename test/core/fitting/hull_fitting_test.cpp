@@ -131,14 +131,13 @@ TEST_P(HullFittingOfClouds, AnyRobotAndViewpoint)
 TEST_P(HullFittingOfClouds, NoHullStraysBeyondTheBound)
 {
   const PreparedScan::ConstPtr scan = fewOf(GetParam().points);
-  for (const double max_error : {0.3}) {
-    const HullFittingSettings settings = fittingWithin(max_error);
-    const HullFitting fitting = fitHulls(*scan, settings);
-    expectNumbered(fitting, scan->points().size(), GetParam().name);
-    for (const auto& part : pointsOfParts(*scan, fitting))
-      ASSERT_LE(hullCID(part, scan->field(), 0.2 * settings.min_thickness).high,
-                max_error + 0.2 * settings.min_thickness);
-  }
+  const HullFittingSettings settings = fittingWithin(0.3);
+  const HullFitting fitting = fitHulls(*scan, settings);
+  expectNumbered(fitting, scan->points().size(), GetParam().name);
+  const double tolerance = 0.2 * settings.min_thickness;
+  for (const auto& part : pointsOfParts(*scan, fitting))
+    ASSERT_LE(hullCID(part, scan->field(), tolerance).high,
+              settings.max_error + tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Clouds,
@@ -197,18 +196,15 @@ TEST(HullFitting, RefusesFewerPlacesThanMergingByCID)
   Grouping grouping(scan);
   grouping.propose(100);
   const std::vector<pcl::index_t> group = grouping.groups();
-  for (const std::size_t parts : {20u}) {
-    const std::vector<int> part_of_group =
-        pcl_cid::mergeGroups(grouping).cutAtParts(parts);
-    std::vector<int> merged;
-    for (const pcl::index_t g : group)
-      merged.push_back(part_of_group[static_cast<std::size_t>(g)]);
-    const HullFitting fitting = fitHulls(*scan, fittingOf(parts));
-    const std::size_t by_cid = refusedByParts(*scan, merged, fittingOf(parts));
-    EXPECT_LE(fitting.refused_places, by_cid);
-    EXPECT_EQ(refusedByParts(*scan, fitting.part, fittingOf(parts)),
-              fitting.refused_places);
-  }
+  const HullFittingSettings settings = fittingOf(20);
+  const std::vector<int> part_of_group =
+      pcl_cid::mergeGroups(grouping).cutAtParts(settings.parts);
+  std::vector<int> merged;
+  for (const pcl::index_t g : group)
+    merged.push_back(part_of_group[static_cast<std::size_t>(g)]);
+  const HullFitting fitting = fitHulls(*scan, settings);
+  EXPECT_LE(fitting.refused_places, refusedByParts(*scan, merged, settings));
+  EXPECT_EQ(refusedByParts(*scan, fitting.part, settings), fitting.refused_places);
 }
 
 TEST(HullFitting, PlacesThatNobodySawDoNotCount)

@@ -51,11 +51,10 @@ TEST_F(HullFittingTool, MakesSoManyPartsAndSaysWhatTheyRefuse)
 
 TEST_F(HullFittingTool, KeepsTheBoundAndVerifiesIt)
 {
-  const nlohmann::json tight =
-      reportOf({"--max-error", "0.4", "--viewpoints", "cloud"});
-  const nlohmann::json loose = reportOf({"--max-error", "1.5"});
-  EXPECT_GE(tight["parts"].size(), loose["parts"].size());
-  EXPECT_EQ(tight["parameters"]["max_error"], 0.4);
+  const nlohmann::json tight = reportOf({"--max-error", "0.3", "--subsample", "150"});
+  const nlohmann::json loose = reportOf({"--max-error", "1", "--subsample", "150"});
+  EXPECT_GT(tight["parts"].size(), loose["parts"].size());
+  EXPECT_EQ(tight["parameters"]["max_error"], 0.3);
 }
 
 TEST_F(HullFittingTool, IsTheDefaultWhereNothingIsAboutGroups)
