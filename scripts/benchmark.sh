@@ -119,6 +119,10 @@ measure_busy_machine() {
   end_to_end 5 busy:100:1 busy:100:2 busy_cpu:100:1 busy_cpu:100:2 -- data/room.pcd
 }
 
+measure_reading() {
+  room 5 1000000 read_pcd:1:1 pcl_pcd:1:1 read_ascii_pcd:1:1 pcl_ascii_pcd:1:1 read_ply:1:1 pcl_ply:1:1
+}
+
 step "Debian packages"
 install_packages demo benchmark
 
@@ -134,9 +138,11 @@ mapfile -t curve < <(threads_of_curve | grep -v ':2$')
 if [ "$mode" = --quick ]; then
   measure_small_rooms 2
   measure_busy_machine
+  measure_reading
 else
   measure_small_rooms 3
   measure_busy_machine
+  measure_reading
   measure_large_rooms
   measure_real_scans
 fi

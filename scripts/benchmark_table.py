@@ -164,6 +164,21 @@ def busy_requirements(results):
         )
 
 
+def reading_requirements(results):
+    """Beside PCL's own readers; of a binary PCD PCL maps the file and looks at no value."""
+    for kind, bound in (("pcd", 4), ("ascii_pcd", 0.5), ("ply", 1.5)):
+        for room in ROOMS:
+            yield requirement(
+                f"`read_{kind}` / `pcl_{kind}`, {room}, 1,000,000 points",
+                bound,
+                ratio(
+                    results,
+                    Case(room, 1_000_000, f"read_{kind}", seeds=1, threads=1),
+                    Case(room, 1_000_000, f"pcl_{kind}", seeds=1, threads=1),
+                ),
+            )
+
+
 def requirement_table(results):
     rows = [
         *speed_requirements(results),
@@ -171,6 +186,7 @@ def requirement_table(results):
         *scaling_requirements(results),
         *correction_requirements(results),
         *busy_requirements(results),
+        *reading_requirements(results),
     ]
     return table(["figure", "must be", "is", "reached"], rows)
 

@@ -20,18 +20,25 @@
 #include <pcl_cid/cid_sampler.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/prepared_scan.h>
+#include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/cloud_points.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <pcl/common/common.h>
+#include <pcl/io/auto_io.h>
+
+#include <unistd.h>
 
 namespace pcl_cid::benchmarks {
 namespace {
@@ -421,6 +428,69 @@ processorTime(const Work& work, const Cloud::ConstPtr& cloud)
   return result;
 }
 
+/** A file format in which this module and PCL read the same points. */
+struct FileKind {
+  const char* extension;
+  CloudLayout layout;
+};
+
+const std::vector<FileKind>&
+fileKinds()
+{
+  static const std::vector<FileKind> all = {{".pcd", {"PCD", CloudEncoding::binary}},
+                                            {".pcd", {"PCD", CloudEncoding::ascii}},
+                                            {".ply", {"PLY", CloudEncoding::binary}}};
+  return all;
+}
+
+/** A file in the system's folder for such, as long as this lives. */
+struct CloudFile {
+  CloudFile(const Cloud& cloud, const FileKind& kind)
+  : path(std::filesystem::temp_directory_path() /
+         ("cid_end_to_end_" + std::to_string(getpid()) + kind.extension))
+  {
+    std::ofstream stream(path, std::ios::binary);
+    writeCloud(stream, toLabelledCloud(cloud), kind.layout);
+    if (!stream.flush())
+      throw std::runtime_error("cannot write " + path);
+  }
+
+  ~CloudFile() { std::remove(path.c_str()); }
+
+  CloudFile(const CloudFile&) = delete;
+  CloudFile&
+  operator=(const CloudFile&) = delete;
+
+  const std::string path;
+};
+
+void
+readHere(const std::string& path)
+{
+  pointsOf(readCloud(path));
+}
+
+void
+readByPCL(const std::string& path)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  if (pcl::io::load(path, cloud) != 0)
+    throw std::runtime_error("PCL cannot read " + path);
+}
+
+/** From a file that was just written, and is in the system's memory. */
+template <std::size_t kind, void (*read)(const std::string&)>
+Measurement
+readFile(const Work&, const Cloud::ConstPtr& cloud)
+{
+  const CloudFile file(*cloud, fileKinds()[kind]);
+  const Stopwatch watch;
+  read(file.path);
+  Measurement result;
+  result.seconds = watch.seconds();
+  return result;
+}
+
 using Perform = Measurement (*)(const Work&, const Cloud::ConstPtr&);
 
 const std::map<std::string, Perform>&
@@ -441,6 +511,12 @@ works()
       {"fit", hulls<MergingRule::hull>},
       {"add", addOneSeed},
       {"remove", removeOneSeed},
+      {"read_pcd", readFile<0, readHere>},
+      {"read_ascii_pcd", readFile<1, readHere>},
+      {"read_ply", readFile<2, readHere>},
+      {"pcl_pcd", readFile<0, readByPCL>},
+      {"pcl_ascii_pcd", readFile<1, readByPCL>},
+      {"pcl_ply", readFile<2, readByPCL>},
       {"busy", besideBusyProcesses},
       {"busy_cpu", processorTime}};
   return all;

@@ -47,6 +47,8 @@ struct Work {
  *  find the groups that `segment` finds
  *  \li `handle`: labels and 30 hulls from the groups that CIDSampler has found
  *  \li `hulls`, `fit`: 60 hulls from the cloud, by CID and by hull
+ *  \li `read_pcd`, `read_ascii_pcd`, `read_ply`: the cloud from a file of its points;
+ *  `pcl_pcd` and so on: the same by PCL
  *  \li `add`, `remove`: one seed joins, or leaves, a grouping with K seeds; the median
  * of 100 */
 bool

@@ -10,6 +10,7 @@
 #include "s3dis_line.h"
 
 #include "text/numbers.h"
+#include "text/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,23 +20,12 @@ namespace pcl_cid {
 namespace {
 
 constexpr std::size_t columns = 6;
+constexpr std::string_view blanks = " \t";
 
 bool
 isControlByte(char byte)
 {
   return static_cast<unsigned char>(byte) < 0x20 && byte != '\t';
-}
-
-/** Cut the next word off a line.
- *  \return empty at its end */
-std::string_view
-takeWord(std::string_view& line)
-{
-  constexpr const char* blanks = " \t";
-  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(blanks));
-  line.remove_prefix(word.size());
-  return word;
 }
 
 /** Blue is the lowest byte. */
@@ -55,13 +45,14 @@ parseS3DISLine(std::string_view line)
 {
   float values[columns];
   for (float& value : values) {
-    const auto number = parseNumber<float>(takeWord(line));
+    const auto number = parseNumber<float>(takeWord(line, blanks));
     if (!number || !std::isfinite(*number))
       return std::nullopt;
     value = *number;
   }
   const float* const color = values + 3;
-  if (!takeWord(line).empty() || !std::all_of(color, color + 3, [](float channel) {
+  if (!takeWord(line, blanks).empty() ||
+      !std::all_of(color, color + 3, [](float channel) {
         return channel >= 0.0f && channel <= 255.0f;
       }))
     return std::nullopt;

@@ -226,11 +226,10 @@ private:
   moveInto(CloudPoints& result) const
   {
     result.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
-    result.points->reserve(cloud_.size());
-    for (std::size_t i = 0; i < cloud_.size(); ++i) {
-      const Eigen::Vector3f p = result.frame.toLocal(point(i)).cast<float>();
-      result.points->emplace_back(p.x(), p.y(), p.z());
-    }
+    result.points->resize(cloud_.size());
+    for (std::size_t i = 0; i < cloud_.size(); ++i)
+      (*result.points)[i].getVector3fMap() =
+          result.frame.toLocal(point(i)).cast<float>();
     result.finite = finite_;
     result.points->width = cloud_.fields.width;
     result.points->height = cloud_.fields.height;

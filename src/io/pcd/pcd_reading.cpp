@@ -13,6 +13,7 @@
 #include "pcd_header.h"
 #include "text/file_reading.h"
 #include "text/numbers.h"
+#include "text/words.h"
 
 #include <algorithm>
 #include <array>
@@ -110,7 +111,7 @@ private:
     std::size_t read = 0;
     while (std::getline(stream_, line, header_.line_end)) {
       ++line_;
-      if (line.find_first_not_of(" \t\r") == std::string::npos)
+      if (line.find_first_not_of(usual_blanks) == std::string::npos)
         continue;
       if (read == cloud_.size())
         fail("line ", line_, ": more points than the ", read, " that the header says");
@@ -128,13 +129,10 @@ private:
   void
   readPoint(std::string_view line, std::uint8_t* point) const
   {
-    constexpr std::string_view blanks = " \t\r";
     std::uint8_t padding[8];
     for (const PCDColumn& column : header_.columns)
       for (std::uint32_t k = 0; k < column.count; ++k) {
-        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-        const std::string_view word = line.substr(0, line.find_first_of(blanks));
-        line.remove_prefix(word.size());
+        const std::string_view word = takeWord(line);
         if (word.empty())
           fail("line ",
                line_,
@@ -156,7 +154,7 @@ private:
                sizeOf(column.datatype),
                ")");
       }
-    if (line.find_first_not_of(blanks) != std::string_view::npos)
+    if (!takeWord(line).empty())
       fail("line ", line_, ": more values than the ", valuesOfPoint(), " of a point");
   }
 
@@ -170,19 +168,31 @@ private:
     if (body_size_ < needed)
       failTruncated(needed);
     makeRoom();
+    constexpr std::size_t block_bytes = 65536; // the system is asked once for many rows
+    const std::size_t block = std::max<std::size_t>(1, block_bytes / file_step);
+    std::vector<char> rows(file_step * std::min(block, cloud_.size()));
     std::uint8_t* point = cloud_.fields.data.data();
-    std::vector<char> row(file_step);
-    for (std::size_t i = 0; i < cloud_.size(); ++i) {
-      readBytes(row.data(), row.size());
-      const char* source = row.data();
-      for (const PCDColumn& column : header_.columns) {
-        if (!column.isPadding())
-          std::memcpy(point + column.offset, source, column.bytes());
-        source += column.bytes();
+    for (std::size_t i = 0; i < cloud_.size(); i += block) {
+      const std::size_t count = std::min(block, cloud_.size() - i);
+      readBytes(rows.data(), count * file_step);
+      const char* row = rows.data();
+      for (std::size_t k = 0; k < count; ++k) {
+        copyRow(row, point);
+        row += file_step;
+        point += cloud_.fields.point_step;
       }
-      point += cloud_.fields.point_step;
     }
     passPadding(needed);
+  }
+
+  void
+  copyRow(const char* row, std::uint8_t* point) const
+  {
+    for (const PCDColumn& column : header_.columns) {
+      if (!column.isPadding())
+        std::memcpy(point + column.offset, row, column.bytes());
+      row += column.bytes();
+    }
   }
 
   /** Some programs fill the last page of memory with zeros. Anything else after the

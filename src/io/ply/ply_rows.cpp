@@ -14,27 +14,18 @@
 #include "fields/field_values.h"
 #include "text/file_reading.h"
 #include "text/numbers.h"
+#include "text/words.h"
 
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
+#include <cstring>
 #include <istream>
 
 namespace pcl_cid {
 namespace {
 
 constexpr std::size_t largest_value = 8; // bytes
-
-/** Take the first word from a line; empty when only blanks are left. */
-std::string_view
-takeWord(std::string_view& line)
-{
-  constexpr std::string_view blanks = " \t\r\v\f";
-  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(blanks));
-  line.remove_prefix(word.size());
-  return word;
-}
 
 } // namespace
 
@@ -98,10 +89,26 @@ PLYRows::place() const
 }
 
 void
+PLYRows::begin(const PLYElement& element)
+{
+  element_ = &element;
+  std::size_t bytes = 0;
+  bool has_lists = false;
+  for (const PLYProperty& property : element.properties) {
+    bytes += sizeOf(property.datatype);
+    has_lists = has_lists || property.length_datatype != 0;
+  }
+  row_bytes_.resize(is_ascii_ || has_lists ? 0 : bytes);
+}
+
+void
 PLYRows::beginRow()
 {
   first_line_ = 0;
   values_of_row_ = 0;
+  next_byte_ = 0;
+  if (!row_bytes_.empty() && !take(row_bytes_.data(), row_bytes_.size()))
+    failTruncated();
 }
 
 void
@@ -166,6 +173,12 @@ PLYRows::readValue(std::uint8_t datatype, std::uint8_t* value)
   }
   else if (readBytes(datatype, value))
     return;
+  failTruncated();
+}
+
+void
+PLYRows::failTruncated() const
+{
   fail("is truncated: it ends in row ",
        row_ + 1,
        " of the ",
@@ -176,11 +189,24 @@ PLYRows::readValue(std::uint8_t datatype, std::uint8_t* value)
 }
 
 bool
+PLYRows::take(std::uint8_t* bytes, std::size_t count)
+{
+  const auto size = static_cast<std::streamsize>(count);
+  return stream_.rdbuf()->sgetn(reinterpret_cast<char*>(bytes), size) == size;
+}
+
+bool
 PLYRows::readBytes(std::uint8_t datatype, std::uint8_t* value)
 {
-  const auto size = static_cast<std::streamsize>(sizeOf(datatype));
-  if (stream_.rdbuf()->sgetn(reinterpret_cast<char*>(value), size) != size)
-    return false;
+  const std::size_t size = sizeOf(datatype);
+  if (row_bytes_.empty()) {
+    if (!take(value, size))
+      return false;
+  }
+  else {
+    std::memcpy(value, row_bytes_.data() + next_byte_, size);
+    next_byte_ += size;
+  }
   if (header_.encoding == PLYHeader::Encoding::big_endian)
     std::reverse(value, value + size);
   return true;

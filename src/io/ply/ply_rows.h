@@ -42,7 +42,7 @@ public:
   void
   read(const PLYElement& element, const Take& take)
   {
-    element_ = &element;
+    begin(element);
     for (row_ = 0; row_ < element.count && !element.properties.empty(); ++row_) {
       beginRow();
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -71,6 +71,9 @@ private:
   place() const;
 
   void
+  begin(const PLYElement& element);
+
+  void
   beginRow();
 
   void
@@ -82,6 +85,13 @@ private:
 
   void
   readValue(std::uint8_t datatype, std::uint8_t* value);
+
+  [[noreturn]] void
+  failTruncated() const;
+
+  /** \return false when the file ends before */
+  bool
+  take(std::uint8_t* bytes, std::size_t count);
 
   bool
   readBytes(std::uint8_t datatype, std::uint8_t* value);
@@ -102,6 +112,9 @@ private:
   const PLYElement* element_ = nullptr;
   std::uint64_t row_ = 0;
   std::vector<std::uint8_t> values_;
+
+  std::vector<std::uint8_t> row_bytes_; ///< of a binary row without lists, read at once
+  std::size_t next_byte_ = 0;           ///< of row_bytes_
 
   std::string line_;
   std::string_view rest_; ///< of the line
