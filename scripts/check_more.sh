@@ -22,7 +22,7 @@ colcon_package() {
     --paths . --build-base "$workspace/build" --install-base "$workspace/install" \
     --event-handlers console_direct- \
     --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
-      -DBUILD_SHARED_LIBS=OFF
+      -DBUILD_SHARED_LIBS=OFF "${unity_build[@]}"
   run cmake -DPREFIX="$workspace/install/pcl_cid" -DWORK_DIR="$workspace/consumer" \
     -P test/consumer/run.cmake
 }

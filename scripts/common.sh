@@ -47,10 +47,12 @@ install_packages() {
     install --yes --no-install-recommends "${missing[@]}"
 }
 
-# build_preset NAME [OPTION ...]: configure and build one preset of CMakePresets.json.
 # Up to 12 sources are compiled as one: they share the time that PCL's headers take.
+unity_build=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+
+# build_preset NAME [OPTION ...]: configure and build one preset of CMakePresets.json.
 build_preset() {
-  run cmake --preset "$@" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
+  run cmake --preset "$@" "${unity_build[@]}"
   run cmake --build --preset "$1" --parallel "$(nproc)"
 }
 

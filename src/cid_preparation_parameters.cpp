@@ -73,6 +73,21 @@ CIDPreparationParameters::setIsolatedNeighbors(int isolated_neighbors)
 }
 
 void
+CIDPreparationParameters::setNormalWeight(float normal_weight)
+{
+  require(setting::normals, normal_weight);
+  preparation_.normals = normal_weight;
+  forgetScan();
+}
+
+void
+CIDPreparationParameters::setConnectedGroups(bool connected_groups)
+{
+  preparation_.connected = connected_groups;
+  forgetScan();
+}
+
+void
 CIDPreparationParameters::setColorWeight(float color_weight)
 {
   require(setting::color, color_weight);

@@ -120,6 +120,29 @@ public:
     return preparation_.isolated_neighbors;
   }
 
+  /** \brief What the surfaces at two points add to the cost of the pair when they are
+   *  at a right angle, metres: `normal_weight (1 - |n_p . n_q|)`, the normals by PCA of
+   *  17 points; 0, the default, ignores them. */
+  void
+  setNormalWeight(float normal_weight);
+
+  float
+  getNormalWeight() const
+  {
+    return preparation_.normals;
+  }
+
+  /** \brief Whether groups are made connected: a piece of a group that its seed is not
+   *  on goes to a group next to it. Off by default, as in the paper. */
+  void
+  setConnectedGroups(bool connected_groups);
+
+  bool
+  getConnectedGroups() const
+  {
+    return preparation_.connected;
+  }
+
   /** \brief What a difference in color adds to the cost of a pair: metres for a unit of
    *  CIE L*a*b* (black to white: 100), the colors being averaged over neighbors; 0, the
    *  default, ignores colors. Above 0 the verbs need colors: from a point type with

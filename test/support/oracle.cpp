@@ -70,6 +70,20 @@ Oracle::groupCID(const Points& first, const Points& second) const
   return sum / static_cast<double>(first.size() * second.size());
 }
 
+namespace {
+
+/** A cue by its formula. */
+double
+difference(Cue::Measure measure, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  if (measure == Cue::Measure::distance)
+    return (a - b).norm();
+  // |a|^2 + |b|^2 is the weight, where neither is 0.
+  return a.squaredNorm() + b.squaredNorm() - 2.0 * std::abs(a.dot(b));
+}
+
+} // namespace
+
 double
 Oracle::pointCost(const Points& points,
                   std::size_t p,
@@ -80,8 +94,10 @@ Oracle::pointCost(const Points& points,
   if (costs && !costs->spacing.empty())
     cost *= 2.0 / (static_cast<double>(costs->spacing[p]) +
                    static_cast<double>(costs->spacing[q]));
-  if (costs && !costs->color.empty())
-    cost += (costs->color[p].cast<double>() - costs->color[q].cast<double>()).norm();
+  if (costs)
+    for (const Cue& cue : costs->cues)
+      cost += difference(
+          cue.measure, cue.values[p].cast<double>(), cue.values[q].cast<double>());
   return cost;
 }
 
@@ -96,7 +112,10 @@ toleranceOfCosts(const Points& surface, const PairCosts* costs)
     const auto least = std::min_element(costs->spacing.begin(), costs->spacing.end());
     tolerance *= std::max(1.0, 1.0 / static_cast<double>(*least));
   }
-  return costs ? tolerance + agreementTolerance(costs->color) : tolerance;
+  if (costs)
+    for (const Cue& cue : costs->cues)
+      tolerance += agreementTolerance(cue.values);
+  return tolerance;
 }
 
 /** D_min of each point, times its factor where the k-th seed is drawn; less than

@@ -9,6 +9,8 @@
 
 #include "literal_grouping.h"
 
+#include "grouping/connected_groups.h"
+
 #include "cid/working_points.h"
 #include "scan/working_set.h"
 
@@ -77,6 +79,16 @@ LiteralGrouping::state() const
   std::vector<pcl::index_t> group = group_;
   for (std::size_t k = 0; k < seeds_.size(); ++k) // a seed keeps its point
     group[seeds_[k]] = static_cast<pcl::index_t>(k);
+  if (scan_.graph()) {
+    Progress silent(nullptr);
+    group = connectGroups(scan_.working(),
+                          *scan_.graph(),
+                          samples_,
+                          pcl::Indices(seeds_.begin(), seeds_.end()),
+                          std::move(group),
+                          1,
+                          silent);
+  }
   const WorkingSet& set = scan_.workingSet();
   return {set.carryOn(group, scan_.cloudSize(), pcl::index_t{-1}),
           set.carryOn(cid_, scan_.cloudSize(), nan),

@@ -235,6 +235,9 @@ drawPreparation(std::size_t points, float size, Dice& dice)
   settings.isolated_neighbors = dice.between(0, 8);
   if (dice.oneIn(3))
     settings.color = size * dice.magnitude(-12, 2);
+  if (dice.oneIn(3))
+    settings.normals = size * dice.magnitude(-12, 2);
+  settings.connected = dice.oneIn(3);
   settings.blind_spot = dice.oneIn(2);
   settings.memory_budget = dice.oneIn(3) ? dice.below(20000) : 0;
   return settings;

@@ -4,7 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The options for raw scans: density, isolated points, seeding, color, blind spot.
+ * The options for raw scans: density, isolated points, seeding, cues, connected
+ * groups, blind spot.
  */
 
 #include "raw_scan_options.h"
@@ -26,6 +27,8 @@ declareRawScanOptions(RawScanOptions& options, CommandLine& line)
   line.setting(setting::isolated_neighbors, options.isolated_neighbors);
   line.choice(setting::seeding, options.seeding);
   line.setting(setting::color, options.color, "INPUT needs the field rgb or rgba");
+  line.setting(setting::normals, options.normals);
+  line.choice(setting::connected, options.connected);
   line.choice(setting::blind_spot, options.blind_spot);
 }
 
@@ -45,6 +48,8 @@ configureForRawScan(const RawScanOptions& options,
   parameters.setIsolatedNeighbors(options.isolated_neighbors);
   parameters.setSeedingRule(options.seeding);
   parameters.setColorWeight(options.color);
+  parameters.setNormalWeight(options.normals);
+  parameters.setConnectedGroups(options.connected);
   parameters.setFillBlindSpot(options.blind_spot);
   if (options.color > 0.0f)
     parameters.setColors(
@@ -59,6 +64,8 @@ parametersOf(const RawScanOptions& options)
           parameter(setting::isolated_neighbors, options.isolated_neighbors),
           parameter(setting::seeding, options.seeding),
           parameter(setting::color, options.color),
+          parameter(setting::normals, options.normals),
+          parameter(setting::connected, options.connected),
           parameter(setting::blind_spot, options.blind_spot)};
 }
 

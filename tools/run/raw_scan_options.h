@@ -4,7 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The options for raw scans: density, isolated points, seeding, color, blind spot.
+ * The options for raw scans: density, isolated points, seeding, cues, connected
+ * groups, blind spot.
  */
 
 #pragma once
@@ -33,6 +34,8 @@ struct RawScanOptions {
   int isolated_neighbors = setting::isolated_neighbors.initial;
   SeedingRule seeding = setting::seeding.initial;
   float color = setting::color.initial;
+  float normals = setting::normals.initial;
+  bool connected = setting::connected.initial;
   bool blind_spot = setting::blind_spot.initial;
 };
 

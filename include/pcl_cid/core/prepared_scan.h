@@ -29,6 +29,7 @@
 
 namespace pcl_cid {
 
+class SurfaceGraph;
 class WorkingPoints;
 class WorkingSet;
 struct PairCosts;
@@ -66,6 +67,8 @@ struct PreparationSettings {
   float density_power = setting::density_power.initial;
   int isolated_neighbors = setting::isolated_neighbors.initial;
   float color = setting::color.initial;
+  float normals = setting::normals.initial;
+  bool connected = setting::connected.initial;
   bool blind_spot = setting::blind_spot.initial;
   /** The first seed, an index of the cloud; none: it is drawn. */
   std::optional<pcl::index_t> start_index;
@@ -179,6 +182,14 @@ public:
     return *set_;
   }
 
+  /** \brief Which of the points that are worked on are next to each other; null where
+   *  groups need not be connected. */
+  const SurfaceGraph*
+  graph() const
+  {
+    return graph_.get();
+  }
+
   /** \brief The first seed of Algorithm 1, an index among the points that are worked
    *  on. */
   pcl::index_t
@@ -223,6 +234,7 @@ private:
   std::unique_ptr<WorkingSet> set_;
   std::unique_ptr<PairCosts> costs_;
   std::unique_ptr<WorkingPoints> working_;
+  std::unique_ptr<SurfaceGraph> graph_; ///< null without PreparationSettings::connected
   bool points_are_surface_ = false;
   pcl::index_t start_ = 0;
   pcl::Indices candidates_;

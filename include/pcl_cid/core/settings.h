@@ -192,6 +192,16 @@ inline constexpr NumberSetting<float> color{
     "Raw scans", "color", "color weight", "LAMBDA", "metres", 0.0f, 0.0f, any_length,
     "what a unit of difference in CIE L*a*b* adds to a CID"};
 
+inline constexpr NumberSetting<float> normals{
+    "Raw scans", "normals", "normal weight", "LAMBDA", "metres", 0.0f, 0.0f, any_length,
+    "what a right angle of the surfaces at two points adds to their CID"};
+
+inline constexpr ChoiceSetting<bool, 2> connected{
+    "Raw scans", "connected", "WHEN", false,
+    {{{"on", true}, {"off", false}}},
+    "pieces of a group that its seed is not on go to a group next to them: on or off "
+    "(the paper)"};
+
 inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "Raw scans", "blind_spot", "WHEN", true,
     {{{"auto", true}, {"off", false}}},
@@ -286,6 +296,8 @@ forEachSetting(Visitor&& visit)
             setting::isolated_neighbors,
             setting::seeding,
             setting::color,
+            setting::normals,
+            setting::connected,
             setting::blind_spot,
             setting::parts,
             setting::threshold,

@@ -19,22 +19,27 @@ namespace pcl_cid {
 void
 requireCosts(const PairCosts& costs, std::size_t points)
 {
-  if ((!costs.spacing.empty() && costs.spacing.size() != points) ||
-      (!costs.color.empty() && costs.color.size() != points))
-    throw CIDException(sentence("the costs have the spacing of ",
-                                costs.spacing.size(),
-                                " and the color of ",
-                                costs.color.size(),
-                                " points; they must be of all ",
-                                points,
-                                " points, or of none"));
+  const auto requireAll = [points](std::size_t values) {
+    if (values != points)
+      throw CIDException(sentence("the costs have values of ",
+                                  values,
+                                  " points; they must be of all ",
+                                  points,
+                                  " points"));
+  };
+  if (!costs.spacing.empty())
+    requireAll(costs.spacing.size());
+  for (const Cue& cue : costs.cues)
+    requireAll(cue.values.size());
   for (const float spacing : costs.spacing)
     if (!(spacing > 0.0f) || !(spacing <= std::numeric_limits<float>::max()))
       throw CIDException(sentence(
           "the spacing of a point is ", spacing, "; it must be a number above 0"));
-  for (const Eigen::Vector3f& color : costs.color)
-    if (!color.allFinite())
-      throw CIDException("the color of a point is not a number; it must be finite");
+  for (const Cue& cue : costs.cues)
+    for (const Eigen::Vector3f& value : cue.values)
+      if (!value.allFinite())
+        throw CIDException("a color or a normal of a point is not a number; it must be "
+                           "finite");
 }
 
 NodeCosts::NodeCosts(const PairCosts* costs,
@@ -47,10 +52,9 @@ NodeCosts::NodeCosts(const PairCosts* costs,
     return;
   if (!costs->spacing.empty())
     spacing_.resize(2 * tree.size());
-  if (!costs->color.empty())
-    color_.resize(
-        2 * tree.size(),
-        {Eigen::Array4f::Constant(infinity), Eigen::Array4f::Constant(-infinity)});
+  const PointBox nothing{Eigen::Array4f::Constant(infinity),
+                         Eigen::Array4f::Constant(-infinity)};
+  boxes_.assign(costs->cues.size(), std::vector<PointBox>(2 * tree.size(), nothing));
   parallelFor(tree.size(), 256, threads, progress, {}, [&](auto begin, auto end) {
     for (std::size_t b = begin; b < end; ++b)
       gather(tree, b);
@@ -69,9 +73,10 @@ NodeCosts::gather(const BlockTree& tree, std::size_t block)
       spacing_[node].low = std::min(spacing_[node].low, costs_->spacing[p]);
       spacing_[node].high = std::max(spacing_[node].high, costs_->spacing[p]);
     }
-    if (!color_.empty()) {
-      color_[node].low = color_[node].low.min(padded(costs_->color[p]));
-      color_[node].high = color_[node].high.max(padded(costs_->color[p]));
+    for (std::size_t k = 0; k < boxes_.size(); ++k) {
+      PointBox& box = boxes_[k][node];
+      const Eigen::Array4f value = padded(costs_->cues[k].values[p]);
+      box = {box.low.min(value), box.high.max(value)};
     }
   }
 }
@@ -82,9 +87,9 @@ NodeCosts::join(std::size_t node)
   if (!spacing_.empty())
     spacing_[node] = {std::min(spacing_[2 * node].low, spacing_[2 * node + 1].low),
                       std::max(spacing_[2 * node].high, spacing_[2 * node + 1].high)};
-  if (!color_.empty())
-    color_[node] = {color_[2 * node].low.min(color_[2 * node + 1].low),
-                    color_[2 * node].high.max(color_[2 * node + 1].high)};
+  for (std::vector<PointBox>& box : boxes_)
+    box[node] = {box[2 * node].low.min(box[2 * node + 1].low),
+                 box[2 * node].high.max(box[2 * node + 1].high)};
 }
 
 PairCost
@@ -93,14 +98,8 @@ NodeCosts::least(std::size_t node, std::size_t seed) const
   PairCost cost;
   if (!spacing_.empty())
     cost.weight = 2.0f / (spacing_[node].high + costs_->spacing[seed]);
-  if (!color_.empty()) {
-    const Eigen::Array4f color = padded(costs_->color[seed]);
-    cost.cue = roundedDistance((color_[node].low - color)
-                                   .max(color - color_[node].high)
-                                   .max(0.0f)
-                                   .matrix()
-                                   .head<3>());
-  }
+  for (std::size_t k = 0; k < boxes_.size(); ++k)
+    cost.cue += costs_->cues[k].least(boxes_[k][node], seed);
   return cost;
 }
 
@@ -110,11 +109,8 @@ NodeCosts::most(std::size_t node, std::size_t seed) const
   PairCost cost;
   if (!spacing_.empty())
     cost.weight = 2.0f / (spacing_[node].low + costs_->spacing[seed]);
-  if (!color_.empty()) {
-    const Eigen::Array4f color = padded(costs_->color[seed]);
-    cost.cue = roundedDistance(
-        (color - color_[node].low).max(color_[node].high - color).matrix().head<3>());
-  }
+  for (std::size_t k = 0; k < boxes_.size(); ++k)
+    cost.cue += costs_->cues[k].most(boxes_[k][node], seed);
   return cost;
 }
 

@@ -23,8 +23,7 @@ void
 requireCosts(const PairCosts& costs, std::size_t points);
 
 /** \brief Bounds of PairCosts::between() for whole nodes: w is smallest where the
- *  spacing is largest, a cue is within the nearest and the farthest corner of the box
- *  of the node's colors. */
+ *  spacing is largest, a cue is within what the box of the node's values allows. */
 class NodeCosts {
 public:
   /** \param[in] costs of the points of the tree; null: the cost is the CID; must
@@ -63,8 +62,8 @@ private:
   join(std::size_t node);
 
   const PairCosts* costs_;
-  std::vector<Range> spacing_;  ///< by node; empty without spacing
-  std::vector<PointBox> color_; ///< by node; empty without colors
+  std::vector<Range> spacing_;               ///< by node; empty without spacing
+  std::vector<std::vector<PointBox>> boxes_; ///< of the values of each cue, by node
 };
 
 } // namespace pcl_cid

@@ -9,25 +9,16 @@
 
 #pragma once
 
+#include "cue.h"
+
 #include "base/rounding.h"
-#include <pcl_cid/core/point_set.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace pcl_cid {
-
-/** \brief Distance of two points, each difference rounded on its own: it never falls
- *  when one of the differences grows, in float too. */
-inline float
-roundedDistance(const Eigen::Vector3f& difference)
-{
-  const Eigen::Vector3f squared = difference.cwiseProduct(difference);
-  return std::sqrt((squared.x() + squared.y()) + squared.z());
-}
 
 /** \brief `cost = weight * CID + cue` of one pair of points (*ours*); the paper has a
  *  weight of 1 and no cue. It never falls when the CID, the weight or the cue grows, in
@@ -64,18 +55,23 @@ struct PairCost {
 };
 
 /** \brief The cost of every pair of a set of points: `cost(p, q) = w(p, q) CID_p(p, q)
- *  + cue(p, q)` (*ours*), symmetric to the last bit. Without both members it is CID_p
- *  itself. */
+ *  + cue_1(p, q) + cue_2(p, q) + ...` (*ours*), symmetric to the last bit. Without both
+ *  members it is CID_p itself. */
 struct PairCosts {
   /** s(p) of each point, its spacing in relation to that of the cloud, above 0; empty
    *  means 1 everywhere. `w(p, q) = 2 / (s(p) + s(q))`: where points are far apart,
    *  distances to the surface are large without any concavity. */
   std::vector<float> spacing;
 
-  /** The color of each point, scaled so that the distance of two colors is what their
-   *  difference costs, metres: `cue(p, q) = |color(p) - color(q)|`. Empty means no
-   *  cue. */
-  Points color;
+  /** What is added, each cue of all points: color, normals. Empty means nothing. */
+  std::vector<Cue> cues;
+
+  /** \brief Whether the cost is the CID, as in the paper. */
+  bool
+  isPlain() const
+  {
+    return spacing.empty() && cues.empty();
+  }
 
   PairCost
   between(std::size_t p, std::size_t q) const
@@ -83,8 +79,8 @@ struct PairCosts {
     PairCost cost;
     if (!spacing.empty())
       cost.weight = 2.0f / (spacing[p] + spacing[q]);
-    if (!color.empty())
-      cost.cue = roundedDistance(color[p] - color[q]);
+    for (const Cue& cue : cues)
+      cost.cue += cue.between(p, q);
     return cost;
   }
 };

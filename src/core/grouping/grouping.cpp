@@ -7,9 +7,11 @@
  * Seeds and the group of every point: a result that can be changed.
  */
 
+#include "connected_groups.h"
 #include "seed_proposal.h"
 
 #include "base/requirements.h"
+#include "scan/surface_graph.h"
 #include "scan/working_set.h"
 
 #include <pcl_cid/core/grouping.h>
@@ -292,7 +294,17 @@ Grouping::groupsOfWorkingPoints(const ExecutionOptions& execution) const
   if (numberOfSeeds() == 0)
     return std::vector<pcl::index_t>(scan_->working().size(), -1);
   Progress progress(execution.progress);
-  return groups_->groups({threadCount(execution.threads), progress});
+  const int threads = threadCount(execution.threads);
+  std::vector<pcl::index_t> groups = groups_->groups({threads, progress});
+  if (!scan_->graph())
+    return groups;
+  return connectGroups(scan_->working(),
+                       *scan_->graph(),
+                       settings_.samples,
+                       groups_->seeds(),
+                       std::move(groups),
+                       threads,
+                       progress);
 }
 
 std::vector<pcl::index_t>

@@ -22,7 +22,7 @@ namespace {
 float
 spacingAround(const NearestNeighbors& neighbors, std::size_t point)
 {
-  std::array<float, NearestNeighbors::most> reaches;
+  std::array<float, NearestNeighbors::most_near> reaches;
   for (std::size_t k = 0; k < reaches.size(); ++k)
     reaches[k] =
         neighbors.reach(static_cast<std::size_t>(neighbors.neighbor(point, k)));
@@ -38,7 +38,7 @@ isolatedPoints(const Points& points, const NearestNeighbors& neighbors, int leas
 {
   require(setting::isolated_neighbors, least);
   pcl::Indices isolated;
-  if (least == 0 || neighbors.count() < NearestNeighbors::most)
+  if (least == 0 || neighbors.nearCount() < NearestNeighbors::most_near)
     return isolated;
   const auto last = static_cast<std::size_t>(least) - 1;
   for (std::size_t i = 0; i < points.size(); ++i) {

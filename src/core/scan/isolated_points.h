@@ -28,7 +28,7 @@ constexpr float isolation_radius = 2.0f;
  *  \param[in] points those that the neighbors were found in
  *  \param[in] neighbors of the points
  *  \param[in] least a point with fewer near points than this is isolated; 1 to
- *  NearestNeighbors::most, 0 for never
+ *  NearestNeighbors::most_near, 0 for never
  *  \return ascending; never all of the points, as those with the nearest neighbors are
  *  not isolated; none where there are fewer than nine places with points
  *  \throws CIDException when \a least is out of its range */

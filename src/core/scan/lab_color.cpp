@@ -66,9 +66,9 @@ smoothLab(const std::vector<ColorRGB>& colors, const NearestNeighbors& neighbors
     lab.push_back(labOf(color));
   std::vector<Eigen::Vector3f> smooth(lab);
   for (std::size_t i = 0; i < smooth.size(); ++i) {
-    for (std::size_t k = 0; k < neighbors.count(); ++k)
+    for (std::size_t k = 0; k < neighbors.nearCount(); ++k)
       smooth[i] += lab[static_cast<std::size_t>(neighbors.neighbor(i, k))];
-    smooth[i] /= static_cast<float>(1 + neighbors.count());
+    smooth[i] /= static_cast<float>(1 + neighbors.nearCount());
   }
   return smooth;
 }

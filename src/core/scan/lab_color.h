@@ -25,10 +25,9 @@ namespace pcl_cid {
 Eigen::Vector3f
 labOf(const ColorRGB& color);
 
-/** \brief L*a*b* of each point, as the mean over itself and its neighbors: a sensor's
- *  colors are noisy, and most surfaces span more than nine points.
- *  \param[in] colors of the points
- *  \param[in] neighbors of the points */
+/** \brief L*a*b* of each point, as the mean over itself and its near neighbors: a
+ * sensor's colors are noisy, and most surfaces span more than nine points. \param[in]
+ * colors of the points \param[in] neighbors of the points */
 std::vector<Eigen::Vector3f>
 smoothLab(const std::vector<ColorRGB>& colors, const NearestNeighbors& neighbors);
 

@@ -163,13 +163,14 @@ descend(const BlockTree& tree,
 } // namespace
 
 NearestNeighbors::NearestNeighbors(const Points& points,
-                                   const ExecutionOptions& execution)
+                                   const ExecutionOptions& execution,
+                                   std::size_t wanted)
 {
   distances_.assign(points.size(), 0.0f);
   const Places places = findPlaces(points);
   if (places.first.size() < 2)
     return;
-  count_ = std::min(most, places.first.size() - 1);
+  count_ = std::min(wanted, places.first.size() - 1);
   const int threads = threadCount(execution.threads);
   Progress progress(execution.progress);
   const BlockTree tree(places.positions, threads, progress);
@@ -197,7 +198,7 @@ NearestNeighbors::NearestNeighbors(const Points& points,
     for (std::size_t k = 0; k < count_; ++k)
       neighbors_[i * count_ + k] =
           places.first[static_cast<std::size_t>(of_place[place * count_ + k])];
-    const auto last = static_cast<std::size_t>(neighbor(i, count_ - 1));
+    const auto last = static_cast<std::size_t>(neighbor(i, nearCount() - 1));
     distances_[i] = (points[i] - points[last]).norm();
   }
 }

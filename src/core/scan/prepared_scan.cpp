@@ -12,6 +12,8 @@
 #include "lab_color.h"
 #include "local_spacing.h"
 #include "raw_scan_checks.h"
+#include "surface_graph.h"
+#include "surface_normals.h"
 #include "working_set.h"
 
 #include "base/parallel_for.h"
@@ -23,6 +25,7 @@
 #include <pcl_cid/core/prepared_scan.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -107,20 +110,32 @@ possibleSeeds(const pcl::Indices& candidates, std::size_t points)
 }
 
 /** Colors of the points that are worked on, in metres. */
-Points
-colorsInMetres(const WorkingSet& working,
-               const std::vector<ColorRGB>& colors,
-               const NearestNeighbors& neighbors,
-               float weight)
+Cue
+colorCue(const WorkingSet& working,
+         const std::vector<ColorRGB>& colors,
+         const NearestNeighbors& neighbors,
+         float weight)
 {
   std::vector<ColorRGB> of_working;
   for (std::size_t i = 0; i < working.points().size(); ++i)
     of_working.push_back(colors[static_cast<std::size_t>(
         working.positionOf(static_cast<pcl::index_t>(i)))]);
-  Points in_metres = smoothLab(of_working, neighbors);
-  for (Eigen::Vector3f& color : in_metres)
+  Cue cue{Cue::Measure::distance, smoothLab(of_working, neighbors)};
+  for (Eigen::Vector3f& color : cue.values)
     color *= weight;
-  return in_metres;
+  return cue;
+}
+
+Cue
+normalCue(const Points& points,
+          const NearestNeighbors& neighbors,
+          float weight,
+          const ExecutionOptions& execution)
+{
+  Cue cue{Cue::Measure::angle, surfaceNormals(points, neighbors, execution)};
+  for (Eigen::Vector3f& normal : cue.values)
+    normal *= std::sqrt(weight / 2.0f);
+  return cue;
 }
 
 DistanceField::Options
@@ -139,10 +154,17 @@ spacingMatters(const PreparationSettings& settings)
   return settings.density != DensityWeight::off && settings.density_power > 0.0f;
 }
 
+/** Whether more neighbors than the near ones are needed. */
+bool
+needsMore(const PreparationSettings& settings)
+{
+  return settings.normals > 0.0f || settings.connected;
+}
+
 bool
 needsNeighbors(const PreparationSettings& settings)
 {
-  return spacingMatters(settings) || settings.color > 0.0f ||
+  return spacingMatters(settings) || settings.color > 0.0f || needsMore(settings) ||
          settings.isolated_neighbors > 0;
 }
 
@@ -247,12 +269,15 @@ private:
       made_.candidates_ = {made_.start_}; // none was drawn: only the start is left
   }
 
-  /** Spacing, isolated points and colors, as far as the settings need them. */
+  /** Spacing, isolated points, cues and the graph, as far as the settings need them. */
   void
   lookAtNeighbors()
   {
     const Points& points = made_.set_->points();
-    const NearestNeighbors neighbors(points, execution_);
+    const NearestNeighbors neighbors(
+        points,
+        execution_,
+        needsMore(settings_) ? NearestNeighbors::most : NearestNeighbors::most_near);
     made_.isolated_ = isolatedPoints(points, neighbors, settings_.isolated_neighbors);
     DensityDecision& density = made_.density_;
     density.isolated_points = made_.isolated_.size();
@@ -262,9 +287,20 @@ private:
         (settings_.density == DensityWeight::on || density.spread >= uneven_spread);
     if (density.weighted)
       made_.costs_->spacing = localSpacing(neighbors, settings_.density_power);
+    addCues(neighbors);
+    if (settings_.connected)
+      made_.graph_ = std::make_unique<SurfaceGraph>(points, neighbors);
+  }
+
+  void
+  addCues(const NearestNeighbors& neighbors)
+  {
+    std::vector<Cue>& cues = made_.costs_->cues;
     if (settings_.color > 0.0f)
-      made_.costs_->color =
-          colorsInMetres(*made_.set_, scan_.colors, neighbors, settings_.color);
+      cues.push_back(colorCue(*made_.set_, scan_.colors, neighbors, settings_.color));
+    if (settings_.normals > 0.0f)
+      cues.push_back(
+          normalCue(made_.set_->points(), neighbors, settings_.normals, execution_));
   }
 
   /** Isolated points are no candidates, unless nothing else is left. */
@@ -288,15 +324,14 @@ private:
   makeWorkingPoints(WorkingPoints::Place place)
   {
     made_.points_are_surface_ = place == WorkingPoints::Place::are_surface;
-    const bool plain = made_.costs_->spacing.empty() && made_.costs_->color.empty();
     Progress progress(execution_.progress);
-    made_.working_ =
-        std::make_unique<WorkingPoints>(made_.set_->field(),
-                                        made_.set_->points(),
-                                        place,
-                                        plain ? nullptr : made_.costs_.get(),
-                                        threadCount(execution_.threads),
-                                        progress);
+    made_.working_ = std::make_unique<WorkingPoints>(
+        made_.set_->field(),
+        made_.set_->points(),
+        place,
+        made_.costs_->isPlain() ? nullptr : made_.costs_.get(),
+        threadCount(execution_.threads),
+        progress);
   }
 
   RawScan scan_;

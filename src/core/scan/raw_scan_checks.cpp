@@ -104,6 +104,7 @@ requireInRange(const PreparationSettings& settings)
   require(setting::density_power, settings.density_power);
   require(setting::isolated_neighbors, settings.isolated_neighbors);
   require(setting::color, settings.color);
+  require(setting::normals, settings.normals);
   if (settings.start_index)
     require(setting::start_index, *settings.start_index);
 }

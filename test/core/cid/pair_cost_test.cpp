@@ -73,9 +73,64 @@ TEST(PairCosts, AreTheFormula)
   costs.spacing = {0.5f, 1.5f};
   EXPECT_EQ(costs.between(0, 1).of(0.25f), 0.25f); // 2 / (0.5 + 1.5)
   EXPECT_EQ(costs.between(0, 0).of(0.25f), 0.5f);
-  costs.color = {{0.0f, 0.0f, 0.0f}, {0.3f, 0.0f, -0.4f}};
+  costs.cues = {{Cue::Measure::distance, {{0.0f, 0.0f, 0.0f}, {0.3f, 0.0f, -0.4f}}}};
   EXPECT_FLOAT_EQ(costs.between(0, 1).of(0.25f), 0.75f);
   EXPECT_EQ(costs.between(0, 1).of(0.3f), costs.between(1, 0).of(0.3f));
+  // A right angle at a weight of 0.5.
+  costs.cues.push_back({Cue::Measure::angle, {{0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}}});
+  EXPECT_FLOAT_EQ(costs.between(0, 1).of(0.25f), 1.25f);
+}
+
+TEST(Cue, AnAngleIsTheFormulaWhateverTheSigns)
+{
+  RandomGenerator generator(4);
+  const auto direction = [&] {
+    Eigen::Vector3d v;
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = static_cast<double>(drawBelow(generator, 2001)) - 1000.0;
+    return v.squaredNorm() > 0.0 ? v.normalized().eval()
+                                 : Eigen::Vector3d::UnitX().eval();
+  };
+  constexpr double weight = 0.03;
+  for (int n = 0; n < 1000; ++n) {
+    const Eigen::Vector3d a = direction();
+    const Eigen::Vector3d b = direction();
+    const double scale = std::sqrt(weight / 2.0);
+    const double expected = weight * (1.0 - std::abs(a.dot(b)));
+    for (const double sign : {1.0, -1.0}) {
+      const Cue cue{Cue::Measure::angle,
+                    {(scale * a).cast<float>(), (sign * scale * b).cast<float>()}};
+      EXPECT_NEAR(cue.between(0, 1), expected, 1e-6 * weight);
+      EXPECT_EQ(cue.between(0, 1), cue.between(1, 0));
+      EXPECT_EQ(cue.between(0, 0), 0.0f);
+    }
+  }
+}
+
+TEST(Cue, BoundsOfABoxHoldForAllInIt)
+{
+  RandomGenerator generator(8);
+  const auto value = [&] {
+    Eigen::Vector3f v;
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = static_cast<float>(drawBelow(generator, 2001)) * 1e-3f - 1.0f;
+    return v;
+  };
+  for (const auto measure : {Cue::Measure::distance, Cue::Measure::angle})
+    for (int n = 0; n < 500; ++n) {
+      Cue cue{measure, {value()}};
+      const Eigen::Vector3f middle = value();
+      PointBox box{padded(middle), padded(middle)};
+      for (int k = 0; k < 8; ++k) {
+        cue.values.push_back(middle + 0.3f * value());
+        box = {box.low.min(padded(cue.values.back())),
+               box.high.max(padded(cue.values.back()))};
+      }
+      for (std::size_t k = 1; k < cue.values.size(); ++k) {
+        EXPECT_LE(cue.least(box, 0), cue.between(0, k));
+        EXPECT_GE(cue.most(box, 0), cue.between(0, k));
+      }
+    }
 }
 
 TEST(SoftDraw, FactorsAreBoundedAndDifferFromDrawToDraw)
@@ -123,12 +178,13 @@ struct Variant {
   std::string name;
   bool spacing;
   bool color;
+  bool normals;
   bool isolated;
   SeedingRule rule;
 };
 
 /** Costs and settings for a cloud: spacing that varies over it and from point to point,
- *  colors of a few patches with noise. */
+ *  colors and normals of a few patches with noise. */
 class Settings {
 public:
   Settings(const Variant& variant, const Points& points)
@@ -137,13 +193,19 @@ public:
     const auto noise = [&] {
       return static_cast<float>(drawBelow(generator, 1000)) / 1000.0f;
     };
+    Cue color{Cue::Measure::distance, {}};
+    Cue normals{Cue::Measure::angle, {}};
     for (const Eigen::Vector3f& p : points) {
       if (variant.spacing)
         costs_.spacing.push_back(0.2f + std::fabs(std::sin(3.0f * p.x())) + noise());
-      if (variant.color)
-        costs_.color.push_back(
-            Eigen::Vector3f(p.y() > 0.5f ? 0.1f : 0.0f, 0.02f * noise(), 0.0f));
+      color.values.emplace_back(p.y() > 0.5f ? 0.1f : 0.0f, 0.02f * noise(), 0.0f);
+      const Eigen::Vector3f direction(p.z() > 0.5f ? 1.0f : 0.1f, noise(), noise());
+      normals.values.push_back(0.1f * direction.normalized());
     }
+    if (variant.color)
+      costs_.cues.push_back(color);
+    if (variant.normals)
+      costs_.cues.push_back(normals);
     if (variant.isolated)
       for (std::size_t i = 3; i < points.size(); i += 7)
         options_.isolated.push_back(static_cast<pcl::index_t>(i));
@@ -271,11 +333,13 @@ TEST_P(TraversalWithCosts, MergingAgreesWithTheOracle)
 INSTANTIATE_TEST_SUITE_P(
     Variants,
     TraversalWithCosts,
-    testing::Values(Variant{"spacing", true, false, false, SeedingRule::farthest},
-                    Variant{"color", false, true, false, SeedingRule::farthest},
-                    Variant{"isolated", false, false, true, SeedingRule::farthest},
-                    Variant{"soft", false, false, false, SeedingRule::soft},
-                    Variant{"all", true, true, true, SeedingRule::soft}),
+    testing::Values(
+        Variant{"spacing", true, false, false, false, SeedingRule::farthest},
+        Variant{"color", false, true, false, false, SeedingRule::farthest},
+        Variant{"normals", false, false, true, false, SeedingRule::farthest},
+        Variant{"isolated", false, false, false, true, SeedingRule::farthest},
+        Variant{"soft", false, false, false, false, SeedingRule::soft},
+        Variant{"all", true, true, true, true, SeedingRule::soft}),
     [](const auto& info) { return info.param.name; });
 
 TEST(TraversalWithCosts, MovesSeedsToWhereTheyCostMore)
@@ -322,7 +386,9 @@ TEST(TraversalWithCosts, RefusesBadValues)
     refuses(costs);
   }
   costs.spacing.clear();
-  costs.color.assign(10, Eigen::Vector3f(0.0f, NAN, 0.0f));
+  costs.cues = {{Cue::Measure::distance, Points(10, Eigen::Vector3f(0.0f, NAN, 0.0f))}};
+  refuses(costs);
+  costs.cues = {{Cue::Measure::angle, Points(9, Eigen::Vector3f::Zero())}};
   refuses(costs);
   GroupMergingOptions merging;
   costs.spacing.assign(9, 1.0f);

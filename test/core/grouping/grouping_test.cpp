@@ -374,6 +374,8 @@ weighted(const Points& points)
   settings.density = DensityWeight::on;
   settings.density_power = 0.7f;
   settings.color = 0.002f;
+  settings.normals = 0.02f;
+  settings.connected = true;
   return std::make_shared<const PreparedScan>(scan, settings);
 }
 

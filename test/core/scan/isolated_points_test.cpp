@@ -83,7 +83,7 @@ class IsolatedOfPoints : public testing::TestWithParam<NamedPoints> {};
 TEST_P(IsolatedOfPoints, AreAscendingAndNeverAll)
 {
   const Points& points = GetParam().points;
-  for (const int near : {1, least, static_cast<int>(NearestNeighbors::most)}) {
+  for (const int near : {1, least, static_cast<int>(NearestNeighbors::most_near)}) {
     const pcl::Indices isolated = isolatedOf(points, near);
     EXPECT_LT(isolated.size(), points.size());
     EXPECT_TRUE(std::is_sorted(isolated.begin(), isolated.end()));
@@ -105,7 +105,7 @@ TEST(IsolatedPoints, NeedANumberOfNeighborsThatIsLookedFor)
 {
   const Points points = twoBoxes(100, 3);
   EXPECT_THROW(isolatedOf(points, -1), CIDException);
-  EXPECT_THROW(isolatedOf(points, static_cast<int>(NearestNeighbors::most) + 1),
+  EXPECT_THROW(isolatedOf(points, static_cast<int>(NearestNeighbors::most_near) + 1),
                CIDException);
 }
 

@@ -36,7 +36,10 @@ placesOf(const Points& points)
 
 /** Neighbors by looking at all places. */
 pcl::Indices
-neighborsByBruteForce(const Points& points, const pcl::Indices& places, std::size_t i)
+neighborsByBruteForce(const Points& points,
+                      const pcl::Indices& places,
+                      std::size_t i,
+                      std::size_t wanted)
 {
   std::vector<std::tuple<float, pcl::index_t>> found;
   for (const pcl::index_t place : places) {
@@ -47,7 +50,7 @@ neighborsByBruteForce(const Points& points, const pcl::Indices& places, std::siz
   }
   std::sort(found.begin(), found.end());
   pcl::Indices neighbors;
-  for (std::size_t k = 0; k < std::min(found.size(), NearestNeighbors::most); ++k)
+  for (std::size_t k = 0; k < std::min(found.size(), wanted); ++k)
     neighbors.push_back(std::get<1>(found[k]));
   return neighbors;
 }
@@ -66,19 +69,24 @@ class NeighborsOfPoints : public testing::TestWithParam<NamedPoints> {};
 TEST_P(NeighborsOfPoints, AreThoseOfASearchOfAllPlaces)
 {
   const Points& points = GetParam().points;
-  const NearestNeighbors neighbors(points, onThreads(1));
   const pcl::Indices places = placesOf(points);
-  ASSERT_EQ(neighbors.size(), points.size());
-  ASSERT_EQ(neighbors.count(), std::min(NearestNeighbors::most, places.size() - 1));
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / 200);
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    const pcl::Indices expected = neighborsByBruteForce(points, places, i);
-    ASSERT_EQ(neighborsOf(neighbors, i), expected) << i;
-    const float reach =
-        expected.empty()
-            ? 0.0f
-            : (points[i] - points[static_cast<std::size_t>(expected.back())]).norm();
-    ASSERT_EQ(neighbors.reach(i), reach) << i;
+  const std::size_t near = std::min(NearestNeighbors::most_near, places.size() - 1);
+  for (const std::size_t wanted :
+       {NearestNeighbors::most_near, NearestNeighbors::most}) {
+    const NearestNeighbors neighbors(points, onThreads(1), wanted);
+    ASSERT_EQ(neighbors.size(), points.size());
+    ASSERT_EQ(neighbors.count(), std::min(wanted, places.size() - 1));
+    ASSERT_EQ(neighbors.nearCount(), near);
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / 200);
+    for (std::size_t i = 0; i < points.size(); i += stride) {
+      const pcl::Indices expected = neighborsByBruteForce(points, places, i, wanted);
+      ASSERT_EQ(neighborsOf(neighbors, i), expected) << i;
+      const float reach =
+          near == 0 ? 0.0f
+                    : (points[i] - points[static_cast<std::size_t>(expected[near - 1])])
+                          .norm();
+      ASSERT_EQ(neighbors.reach(i), reach) << i;
+    }
   }
 }
 

@@ -1,0 +1,277 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Groups in one piece.
+ */
+
+#include "connected_groups.h"
+
+#include "base/infinity.h"
+#include "base/parallel_for.h"
+#include "cid/segment_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+namespace pcl_cid {
+namespace {
+
+/** The pieces of the groups: points of one group that edges join. */
+class Pieces {
+public:
+  Pieces(const SurfaceGraph& graph, const std::vector<pcl::index_t>& groups)
+  : parent_(graph.size())
+  {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (std::size_t p = 0; p < graph.size(); ++p)
+      graph.forEachEdge(p, [&](std::size_t q) {
+        if (groups[p] == groups[q])
+          join(p, q);
+      });
+    for (std::size_t p = 0; p < parent_.size(); ++p)
+      parent_[p] =
+          parent_[parent_[p]]; // a parent comes first, and has its piece already
+  }
+
+  /** The piece of a point, which is the lowest of its points. */
+  std::uint32_t
+  operator[](std::size_t point) const
+  {
+    return parent_[point];
+  }
+
+private:
+  std::uint32_t
+  find(std::uint32_t point)
+  {
+    while (parent_[point] != point)
+      point = parent_[point] = parent_[parent_[point]];
+    return point;
+  }
+
+  void
+  join(std::size_t p, std::size_t q)
+  {
+    const std::uint32_t a = find(static_cast<std::uint32_t>(p));
+    const std::uint32_t b = find(static_cast<std::uint32_t>(q));
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::vector<std::uint32_t> parent_;
+};
+
+/** Where an island meets another piece. */
+struct Border {
+  std::uint32_t island;
+  std::uint32_t other;
+  std::uint32_t point; ///< of the island
+
+  bool
+  operator<(const Border& right) const
+  {
+    return std::tie(island, other, point) <
+           std::tie(right.island, right.other, right.point);
+  }
+
+  bool
+  operator==(const Border& right) const
+  {
+    return std::tie(island, other, point) ==
+           std::tie(right.island, right.other, right.point);
+  }
+};
+
+/** A group that an island may go to. */
+struct Offer {
+  float cost = infinity;
+  pcl::index_t group = -1;
+
+  bool
+  operator<(const Offer& right) const
+  {
+    return std::tie(cost, group) < std::tie(right.cost, right.group);
+  }
+};
+
+/** An island, its borders, and the best offer so far. */
+struct Island {
+  std::size_t begin; ///< of its borders
+  std::size_t end;
+  Offer best;
+  bool joined = false;
+};
+
+class Connection {
+public:
+  Connection(const WorkingPoints& points,
+             const SurfaceGraph& graph,
+             int samples,
+             const pcl::Indices& seeds,
+             std::vector<pcl::index_t>& groups)
+  : points_(points)
+  , order_(samples)
+  , seeds_(seeds)
+  , groups_(groups)
+  , pieces_(graph, groups)
+  , is_mainland_(graph.size(), false)
+  {
+    for (const pcl::index_t seed : seeds)
+      is_mainland_[pieces_[static_cast<std::size_t>(seed)]] = true;
+    findBorders(graph);
+    findIslands();
+  }
+
+  void
+  run(int threads, Progress& progress)
+  {
+    parallelForEach(islands_.size(), threads, progress, {1.0, 1.0}, [&](std::size_t i) {
+      SegmentSearch search(points_.field(), order_);
+      for (std::size_t k = islands_[i].begin; k < islands_[i].end; ++k)
+        if (is_mainland_[borders_[k].other])
+          offer(islands_[i], k, groups_[borders_[k].other], search);
+    });
+    joinCheapestFirst();
+    for (std::size_t p = 0; p < groups_.size(); ++p)
+      groups_[p] = groups_[pieces_[p]];
+  }
+
+private:
+  void
+  findBorders(const SurfaceGraph& graph)
+  {
+    const auto add = [&](std::size_t p, std::size_t q) {
+      if (!is_mainland_[pieces_[p]])
+        borders_.push_back({pieces_[p], pieces_[q], static_cast<std::uint32_t>(p)});
+    };
+    for (std::size_t p = 0; p < graph.size(); ++p)
+      graph.forEachEdge(p, [&](std::size_t q) {
+        if (pieces_[p] == pieces_[q])
+          return;
+        add(p, q);
+        add(q, p);
+      });
+    std::sort(borders_.begin(), borders_.end());
+    borders_.erase(std::unique(borders_.begin(), borders_.end()), borders_.end());
+  }
+
+  void
+  findIslands()
+  {
+    for (std::size_t k = 0; k < borders_.size(); ++k)
+      if (k > 0 && borders_[k].island == borders_[k - 1].island)
+        islands_.back().end = k + 1;
+      else
+        islands_.push_back({k, k + 1, {}});
+  }
+
+  Island&
+  islandOf(std::uint32_t piece)
+  {
+    return *std::lower_bound(islands_.begin(),
+                             islands_.end(),
+                             piece,
+                             [&](const Island& island, std::uint32_t value) {
+                               return borders_[island.begin].island < value;
+                             });
+  }
+
+  /** The cost of a point at a border and the seed of a group, if it is the best so far.
+   *  \return whether it is */
+  bool
+  offer(Island& island,
+        std::size_t border,
+        pcl::index_t group,
+        SegmentSearch& search) const
+  {
+    const auto point = static_cast<std::size_t>(borders_[border].point);
+    const auto seed = static_cast<std::size_t>(seeds_[static_cast<std::size_t>(group)]);
+    const PairCost cost = points_.costs().between(seed, point);
+    const Segment segment{
+        points_.points()[seed], points_.points()[point], points_.areOnSurface()};
+    // What reaches this costs more than the best.
+    const float too_far = std::nextafter(cost.cidWithin(island.best.cost), infinity);
+    std::size_t hint = order_.last() / 2;
+    const Offer offered{cost.of(search.pointCID(segment, too_far, hint)), group};
+    if (!(offered < island.best))
+      return false;
+    island.best = offered;
+    return true;
+  }
+
+  void
+  joinCheapestFirst()
+  {
+    using Entry = std::pair<Offer, std::uint32_t>; // of an island, a number
+    const auto later = [](const Entry& a, const Entry& b) { return b < a; };
+    std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
+    for (std::size_t i = 0; i < islands_.size(); ++i)
+      if (islands_[i].best.group >= 0)
+        queue.push({islands_[i].best, static_cast<std::uint32_t>(i)});
+    SegmentSearch search(points_.field(), order_);
+    while (!queue.empty()) {
+      Island& island = islands_[queue.top().second];
+      queue.pop();
+      if (std::exchange(island.joined, true))
+        continue;
+      const std::uint32_t piece = borders_[island.begin].island;
+      groups_[piece] = island.best.group;
+      for (std::size_t k = island.begin; k < island.end; ++k) {
+        const std::uint32_t other = borders_[k].other;
+        if (is_mainland_[other] || (k > island.begin && other == borders_[k - 1].other))
+          continue;
+        Island& next = islandOf(other);
+        if (!next.joined && offerAll(next, piece, island.best.group, search))
+          queue.push({next.best, static_cast<std::uint32_t>(&next - islands_.data())});
+      }
+    }
+  }
+
+  /** Offer a group at each border with one of its pieces. */
+  bool
+  offerAll(Island& island,
+           std::uint32_t piece,
+           pcl::index_t group,
+           SegmentSearch& search) const
+  {
+    bool is_better = false;
+    for (std::size_t k = island.begin; k < island.end; ++k)
+      if (borders_[k].other == piece)
+        is_better = offer(island, k, group, search) || is_better;
+    return is_better;
+  }
+
+  const WorkingPoints& points_;
+  const SampleOrder order_;
+  const pcl::Indices& seeds_;
+  std::vector<pcl::index_t>& groups_;
+  const Pieces pieces_;
+  std::vector<bool> is_mainland_; ///< by piece: it has the seed
+  std::vector<Border> borders_;   ///< of all islands, in their order
+  std::vector<Island> islands_;   ///< in the order of their pieces
+};
+
+} // namespace
+
+std::vector<pcl::index_t>
+connectGroups(const WorkingPoints& points,
+              const SurfaceGraph& graph,
+              int samples,
+              const pcl::Indices& seeds,
+              std::vector<pcl::index_t> groups,
+              int threads,
+              Progress& progress)
+{
+  Connection(points, graph, samples, seeds, groups).run(threads, progress);
+  return groups;
+}
+
+} // namespace pcl_cid

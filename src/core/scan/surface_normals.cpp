@@ -1,0 +1,76 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Normals of the surface, without orientation.
+ */
+
+#include "surface_normals.h"
+
+#include "base/parallel_for.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace pcl_cid {
+namespace {
+
+/** Second moments of a point and its neighbors about their mean. In coordinates about
+ *  the point, so that none is large. */
+Eigen::Matrix3d
+spreadAround(const Points& points, const NearestNeighbors& neighbors, std::size_t point)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < neighbors.count(); ++k) {
+    const auto q = static_cast<std::size_t>(neighbors.neighbor(point, k));
+    const Eigen::Vector3d d = points[q].cast<double>() - points[point].cast<double>();
+    sum += d;
+    squares += d * d.transpose();
+  }
+  return squares - sum * sum.transpose() / static_cast<double>(1 + neighbors.count());
+}
+
+Eigen::Vector3f
+normalOf(const Eigen::Matrix3d& spread)
+{
+  // Of lines, the second eigenvalue is noise.
+  constexpr double flat = 1e-6;
+  const double size = spread.trace();
+  if (!(size > 0.0))
+    return Eigen::Vector3f::Zero();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(spread / size);
+  if (!(solver.eigenvalues()[1] > flat))
+    return Eigen::Vector3f::Zero();
+  Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  Eigen::Index largest = 0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  if (normal[largest] < 0.0)
+    normal = -normal;
+  return normal.normalized().cast<float>();
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3f>
+surfaceNormals(const Points& points,
+               const NearestNeighbors& neighbors,
+               const ExecutionOptions& execution)
+{
+  std::vector<Eigen::Vector3f> normals(points.size());
+  Progress progress(execution.progress);
+  parallelFor(points.size(),
+              1024,
+              threadCount(execution.threads),
+              progress,
+              {0.0, 0.0},
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                  normals[i] = normalOf(spreadAround(points, neighbors, i));
+              });
+  return normals;
+}
+
+} // namespace pcl_cid

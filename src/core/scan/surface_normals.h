@@ -1,0 +1,34 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Normals of the surface, without orientation.
+ */
+
+#pragma once
+
+#include "nearest_neighbors.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace pcl_cid {
+
+/** \brief The direction in which each point and its neighbors spread least (PCA), a
+ * unit vector whose component of largest size is positive: a normal whose sign means
+ *  nothing. 0 where points do not span a plane.
+ *
+ *  Points with equal coordinates get equal normals.
+ *  \param[in] points of the neighbors
+ *  \param[in] neighbors all of them count, and the point itself
+ *  \param[in] execution threads and progress; never change a result
+ *  \throws CIDCancelled */
+std::vector<Eigen::Vector3f>
+surfaceNormals(const Points& points,
+               const NearestNeighbors& neighbors,
+               const ExecutionOptions& execution);
+
+} // namespace pcl_cid
