@@ -77,21 +77,49 @@ seedMarks(const Grouping& grouping)
   return is_seed;
 }
 
-/** What neighbors pay goes into the energy. */
-void
-addNeighbors(const PreparedScan& scan,
-             const std::vector<BoundaryPoint>& boundary,
-             const std::vector<std::uint32_t>& labels,
-             const NearestNeighbors& neighbors,
-             const CleaningSettings& settings,
-             const ExecutionOptions& execution,
-             LabelEnergy& energy)
+/** The points that are worked on, as their seeds label them. */
+struct LabelledPoints {
+  const Grouping& grouping;
+  const std::vector<std::uint32_t>& label_of_seed;
+  std::vector<pcl::index_t> group;
+  std::vector<std::uint32_t> labels;
+
+  const WorkingPoints&
+  points() const
+  {
+    return grouping.scan().working();
+  }
+};
+
+/** What labels cost the points of the boundary, and what neighbors pay. */
+LabelEnergy
+energyNear(const std::vector<BoundaryPoint>& boundary,
+           const LabelledPoints& labelled,
+           const NearestNeighbors& neighbors,
+           const CleaningSettings& settings,
+           const ExecutionOptions& execution)
 {
+  LabelEnergy energy;
+  Progress progress(execution.progress);
+  energy.choices = labelCosts(labelled.grouping,
+                              labelled.label_of_seed,
+                              labelled.group,
+                              boundary,
+                              settings.most_loss,
+                              threadCount(execution.threads),
+                              progress,
+                              {neighbors_end, costs_end});
   const std::vector<Eigen::Vector3f> normals =
-      surfaceNormals(scan.working().points(), points_of_normal, execution);
-  const NeighborPull pull(
-      settings, normals, scan.working().costs().ofPairs(), scan.settings().color);
-  linkNeighbors(boundary, labels, neighbors, pull, energy);
+      surfaceNormals(labelled.points().points(),
+                     points_of_normal,
+                     linkedPoints(boundary, neighbors),
+                     share(execution, costs_end, normals_end));
+  const NeighborPull pull(settings,
+                          normals,
+                          labelled.points().costs().ofPairs(),
+                          labelled.grouping.scan().settings().color);
+  linkNeighbors(boundary, labelled.labels, neighbors, pull, energy);
+  return energy;
 }
 
 /** Give the points of the boundary the labels that are best for all of them. */
@@ -109,50 +137,29 @@ relabel(const std::vector<BoundaryPoint>& boundary,
     labels[boundary[i].point] = at_boundary[i];
 }
 
-/** The labels of the points that are worked on, mended. */
-std::vector<std::uint32_t>
-cleanedLabels(const Grouping& grouping,
-              const std::vector<std::uint32_t>& label_of_seed,
-              const CleaningSettings& settings,
-              const ExecutionOptions& execution)
+/** Mend the labels of the points that are worked on. */
+void
+clean(LabelledPoints& labelled,
+      const CleaningSettings& settings,
+      const ExecutionOptions& execution)
 {
-  const WorkingPoints& points = grouping.scan().working();
-  const int threads = threadCount(execution.threads);
-  const std::vector<pcl::index_t> group =
-      grouping.groupsOfWorkingPoints({execution.threads, {}});
-  std::vector<std::uint32_t> labels = labelsOfGroups(group, label_of_seed);
-  const NearestNeighbors neighbors(points.points(),
+  const NearestNeighbors neighbors(labelled.points().points(),
                                    share(execution, 0.0, neighbors_end));
   Progress progress(execution.progress);
   const std::vector<BoundaryPoint> boundary =
-      findBoundaryPoints(points,
-                         labels,
-                         seedMarks(grouping),
+      findBoundaryPoints(labelled.points(),
+                         labelled.labels,
+                         seedMarks(labelled.grouping),
                          settings.reach * medianReach(neighbors),
-                         threads,
+                         threadCount(execution.threads),
                          progress,
                          {neighbors_end, neighbors_end});
-  if (boundary.empty())
-    return labels;
-  LabelEnergy energy;
-  energy.choices = labelCosts(grouping,
-                              label_of_seed,
-                              group,
-                              boundary,
-                              settings.most_loss,
-                              threads,
-                              progress,
-                              {neighbors_end, costs_end});
-  addNeighbors(grouping.scan(),
-               boundary,
-               labels,
-               neighbors,
-               settings,
-               share(execution, costs_end, normals_end),
-               energy);
-  relabel(boundary, energy, settings.most_cycles, labels);
+  if (!boundary.empty())
+    relabel(boundary,
+            energyNear(boundary, labelled, neighbors, settings, execution),
+            settings.most_cycles,
+            labelled.labels);
   progress.check(1.0);
-  return labels;
 }
 
 } // namespace
@@ -173,10 +180,11 @@ cleanBoundaries(const Grouping& grouping,
   const PreparedScan& scan = grouping.scan();
   if (label_of_seed.empty())
     return std::vector<std::uint32_t>(scan.cloudSize(), 0);
-  return scan.workingSet().carryOn(
-      cleanedLabels(grouping, label_of_seed, settings, execution),
-      scan.cloudSize(),
-      std::uint32_t{0});
+  LabelledPoints labelled{grouping, label_of_seed, {}, {}};
+  labelled.group = grouping.groupsOfWorkingPoints({execution.threads, {}});
+  labelled.labels = labelsOfGroups(labelled.group, label_of_seed);
+  clean(labelled, settings, execution);
+  return scan.workingSet().carryOn(labelled.labels, scan.cloudSize(), std::uint32_t{0});
 }
 
 } // namespace pcl_cid

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace pcl_cid {
 namespace {
@@ -33,26 +34,29 @@ workingSeeds(const Grouping& grouping)
   return seeds;
 }
 
-using SeedNumbers = std::vector<std::size_t>;
+using SeedsByLabel = std::map<std::uint32_t, std::vector<std::size_t>>;
 
-std::map<std::uint32_t, SeedNumbers>
+SeedsByLabel
 seedsByLabel(const std::vector<std::uint32_t>& label_of_seed)
 {
-  std::map<std::uint32_t, SeedNumbers> by_label;
+  SeedsByLabel by_label;
   for (std::size_t k = 0; k < label_of_seed.size(); ++k)
     by_label[label_of_seed[k]].push_back(k);
   return by_label;
 }
 
-/** Costs of points and seeds; it serves one thread. The hints are of neighboring points
- *  and the same seed. */
+/** Costs of points and seeds; it serves one thread. What it has found for one point is
+ *  a good guess for the next: the sample that decides, and which seed of a label is the
+ *  nearest. No guess changes a result. */
 class SeedCosts {
 public:
   SeedCosts(const WorkingPoints& points,
             const std::vector<std::size_t>& seeds,
+            const SeedsByLabel& by_label,
             const SampleOrder& order)
   : points_(points)
   , seeds_(seeds)
+  , by_label_(by_label)
   , search_(points.field(), order)
   , hints_(seeds.size(), order.last() / 2)
   {
@@ -69,18 +73,26 @@ public:
         search_, segment, points_.costs().between(q, point), limit, hints_[seed]);
   }
 
-  /** The smallest cost of some seeds if it is below a limit, else the limit. */
+  /** The smallest cost of the seeds of a label if it is below a limit, else the limit.
+   */
   float
-  smallest(const SeedNumbers& seeds, std::size_t point, float limit)
+  smallest(std::uint32_t label, std::size_t point, float limit)
   {
-    for (const std::size_t seed : seeds)
-      limit = std::min(limit, between(seed, point, limit));
+    std::vector<std::size_t>& seeds = by_label_.at(label);
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+      const float cost = between(seeds[k], point, limit);
+      if (cost < limit) {
+        limit = cost;
+        std::swap(seeds[0], seeds[k]);
+      }
+    }
     return limit;
   }
 
 private:
   const WorkingPoints& points_;
   const std::vector<std::size_t>& seeds_;
+  SeedsByLabel by_label_; ///< in each, the nearest to the last point comes first
   SegmentSearch search_;
   std::vector<std::size_t> hints_;
 };
@@ -98,11 +110,11 @@ labelCosts(const Grouping& grouping,
            ProgressSpan span)
 {
   const std::vector<std::size_t> seeds = workingSeeds(grouping);
-  const std::map<std::uint32_t, SeedNumbers> by_label = seedsByLabel(label_of_seed);
+  const SeedsByLabel by_label = seedsByLabel(label_of_seed);
   const SampleOrder order(grouping.settings().samples);
   std::vector<std::vector<LabelEnergy::Choice>> choices(boundary.size());
   const auto compare = [&](std::size_t begin, std::size_t end) {
-    SeedCosts costs(grouping.scan().working(), seeds, order);
+    SeedCosts costs(grouping.scan().working(), seeds, by_label, order);
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t point = boundary[i].point;
       const auto own = static_cast<std::size_t>(group[point]);
@@ -111,9 +123,8 @@ labelCosts(const Grouping& grouping,
       // may lose, however the sum was rounded.
       const float limit = std::nextafter(best + most_loss, infinity);
       for (const std::uint32_t label : boundary[i].labels) {
-        const float cost = label == label_of_seed[own]
-                               ? best
-                               : costs.smallest(by_label.at(label), point, limit);
+        const float cost =
+            label == label_of_seed[own] ? best : costs.smallest(label, point, limit);
         const double loss = static_cast<double>(cost) - static_cast<double>(best);
         choices[i].push_back(
             {label, wholeUnits(std::min(loss, static_cast<double>(most_loss)))});

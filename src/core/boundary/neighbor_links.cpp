@@ -97,6 +97,20 @@ NeighborPull::between(std::size_t p, std::size_t q) const
   return double{settings_.pull} * std::exp(-difference(p, q));
 }
 
+std::vector<bool>
+linkedPoints(const std::vector<BoundaryPoint>& boundary,
+             const NearestNeighbors& neighbors)
+{
+  std::vector<bool> linked(neighbors.size(), false);
+  visitNeighbors(neighbors,
+                 sitesOf(boundary, neighbors.size()),
+                 [&](std::size_t p, std::size_t q) {
+                   linked[p] = true;
+                   linked[q] = true;
+                 });
+  return linked;
+}
+
 void
 linkNeighbors(const std::vector<BoundaryPoint>& boundary,
               const std::vector<std::uint32_t>& labels,

@@ -48,6 +48,12 @@ private:
   double color_weight_;
 };
 
+/** \brief The points of the boundary and their neighbors, but for points that have
+ *  none. */
+std::vector<bool>
+linkedPoints(const std::vector<BoundaryPoint>& boundary,
+             const NearestNeighbors& neighbors);
+
 /** \brief Link neighbors to each other, of whom one is among the nearest of the other:
  *  two points of the boundary by a link, one of them and any other by what labels that
  *  are not the other's cost it more.

@@ -116,6 +116,16 @@ surfaceNormals(const Points& points,
                std::size_t neighbors,
                const ExecutionOptions& execution)
 {
+  return surfaceNormals(
+      points, neighbors, std::vector<bool>(points.size(), true), execution);
+}
+
+std::vector<Eigen::Vector3f>
+surfaceNormals(const Points& points,
+               std::size_t neighbors,
+               const std::vector<bool>& wanted,
+               const ExecutionOptions& execution)
+{
   std::vector<Eigen::Vector3f> normals(points.size(), Eigen::Vector3f::Zero());
   if (points.size() < 3)
     return normals;
@@ -126,9 +136,11 @@ surfaceNormals(const Points& points,
     NearestPoints nearest(tree, std::min(neighbors, points.size()));
     for (std::size_t number = begin; number < end; ++number) {
       const PointBlock& block = tree.block(number);
-      for (int row = 0; row < block.count; ++row)
-        normals[static_cast<std::size_t>(block.index[row])] =
-            normalOf(points, nearest.find(block.point(row), number));
+      for (int row = 0; row < block.count; ++row) {
+        const auto point = static_cast<std::size_t>(block.index[row]);
+        if (wanted[point])
+          normals[point] = normalOf(points, nearest.find(block.point(row), number));
+      }
     }
   };
   parallelFor(tree.size(), blocks_for_normals, threads, progress, {0.0, 1.0}, fit);

@@ -32,4 +32,12 @@ surfaceNormals(const Points& points,
                std::size_t neighbors,
                const ExecutionOptions& execution);
 
+/** \brief The same for some of the points, at their share of the cost.
+ *  \param[in] wanted for each point whether its normal is; 0 for the others */
+std::vector<Eigen::Vector3f>
+surfaceNormals(const Points& points,
+               std::size_t neighbors,
+               const std::vector<bool>& wanted,
+               const ExecutionOptions& execution);
+
 } // namespace pcl_cid

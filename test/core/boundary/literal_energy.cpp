@@ -27,7 +27,7 @@ namespace {
 
 /** The bits that decide which distance is the smaller one. */
 float
-squaredDistance(const Eigen::Vector3f& p, const Eigen::Vector3f& q)
+squareOf(const Eigen::Vector3f& p, const Eigen::Vector3f& q)
 {
   const Eigen::Vector3f d = p - q;
   return (d.x() * d.x() + d.y() * d.y()) + d.z() * d.z();
@@ -44,7 +44,7 @@ eightNearest(const Points& points)
       if (points[k] != p &&
           std::find(points.begin(), points.end(), points[k]) - points.begin() ==
               static_cast<std::ptrdiff_t>(k))
-        order.emplace_back(squaredDistance(p, points[k]), k);
+        order.emplace_back(squareOf(p, points[k]), k);
     std::sort(order.begin(), order.end());
     order.resize(std::min<std::size_t>(order.size(), 8));
     nearest.emplace_back();
@@ -87,7 +87,7 @@ LiteralEnergy::LiteralEnergy(const Grouping& grouping,
     const bool is_seed =
         std::count(seeds.begin(), seeds.end(), static_cast<pcl::index_t>(i)) > 0;
     for (std::size_t k = 0; k < points.size() && !is_seed && propagated[i] != 0; ++k)
-      if (propagated[k] != 0 && squaredDistance(points[i], points[k]) <= reach * reach)
+      if (propagated[k] != 0 && squareOf(points[i], points[k]) <= reach * reach)
         near.insert(propagated[k]);
     options_.emplace_back(near.begin(), near.end());
 
