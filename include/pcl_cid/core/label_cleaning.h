@@ -91,9 +91,8 @@ struct CleaningSettings {
  *  selected
  *  \throws CIDException when there are not as many labels as seeds or a setting is out
  *  of its range, CIDCancelled
- *  \note Cost: neighbors and normals of all points, the CIDs of free points to the
- *  seeds of labels within reach, and a few minimum cuts for each label. About 150 bytes
- *  a point. */
+ *  \note Cost: the neighbors of all points, the normals and the CIDs of free points to
+ *  the seeds of labels within reach, and a few minimum cuts for each label. */
 PCL_CID_EXPORT std::vector<std::uint32_t>
 cleanBoundaries(const Grouping& grouping,
                 const std::vector<std::uint32_t>& label_of_seed,
