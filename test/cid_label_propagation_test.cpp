@@ -147,6 +147,48 @@ TEST(CIDLabelPropagation, SameBytesForEveryNumberOfThreads)
   }
 }
 
+TEST(CIDLabelPropagation, CleansUpWhenAsked)
+{
+  Propagation propagation = propagationFor(toCloud(twoBoxes(3000, 98)));
+  propagation.setNumberOfSeeds(30);
+  propagation.setAnnotator([](pcl::index_t seed) { return seed % 4; });
+  EXPECT_FALSE(propagation.getCleanUp());
+  const std::vector<std::uint32_t> plain = labelled(propagation);
+  const std::vector<pcl::index_t> group = propagation.getProposal().group;
+  std::vector<std::uint32_t> seed_labels;
+  for (const pcl::index_t seed : propagation.getProposal().seeds)
+    seed_labels.push_back(static_cast<std::uint32_t>(seed % 4));
+
+  double told = 0.0;
+  propagation.setProgressCallback([&](double fraction) {
+    EXPECT_GE(fraction, told);
+    told = fraction;
+    return true;
+  });
+  propagation.setCleanUp(true);
+  EXPECT_TRUE(propagation.getCleanUp());
+  const std::vector<std::uint32_t> clean = labelled(propagation);
+  EXPECT_NE(clean, plain);
+  EXPECT_EQ(clean, cleanBoundaries(*propagation.getGrouping(), seed_labels));
+  EXPECT_EQ(propagation.getProposal().group, group) << "groups stay as they are";
+  EXPECT_EQ(told, 1.0);
+
+  propagation.setProgressCallback({});
+  propagation.setCleanUp(false);
+  EXPECT_EQ(labelled(propagation), plain);
+}
+
+TEST(CIDLabelPropagation, CancelledCleaningLeavesNothing)
+{
+  Propagation propagation = propagationFor(toCloud(twoBoxes(3000, 98)));
+  propagation.setCleanUp(true);
+  std::vector<std::uint32_t> labels = labelled(propagation);
+  propagation.setProgressCallback([](double fraction) { return fraction < 0.6; });
+  EXPECT_THROW(propagation.segment(labels), CIDCancelled);
+  EXPECT_TRUE(labels.empty());
+  EXPECT_TRUE(propagation.getProposal().seeds.empty());
+}
+
 TEST(CIDLabelPropagation, RefusesBadSeeds)
 {
   auto cloud = toCloud(randomCube(50, 98));

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/cid_base.h>
+#include <pcl_cid/core/label_cleaning.h>
 
 #include <cstdint>
 #include <functional>
@@ -122,6 +123,20 @@ public:
     return this->keepsCIDs();
   }
 
+  /** \brief Whether segment() mends ragged boundaries between labels (*ours*), see
+   *  cleanBoundaries(); the default, false, is the paper. Groups stay as they are. */
+  void
+  setCleanUp(bool clean_up)
+  {
+    clean_up_ = clean_up;
+  }
+
+  bool
+  getCleanUp() const
+  {
+    return clean_up_;
+  }
+
   /** \brief Label every point.
    *  \param[out] labels one for each point of the input cloud
    *  \throws CIDException, CIDCancelled, and whatever the annotator throws */
@@ -173,6 +188,10 @@ private:
   std::vector<std::uint32_t>
   labelsOfSeeds(const pcl::Indices& seeds) const;
 
+  /** \brief The labels of all points, from those of the seeds. */
+  std::vector<std::uint32_t>
+  labelsOfPoints() const;
+
   /** \brief The number of a seed of the last segment().
    *  \throws CIDException when it is none */
   std::size_t
@@ -188,6 +207,7 @@ private:
   pcl::Indices seeds_;
   std::vector<std::uint32_t> seed_labels_;
   Annotator annotator_;
+  bool clean_up_ = setting::clean_up.initial;
   std::vector<std::uint32_t> result_labels_; ///< of the seeds of the last segment()
 };
 

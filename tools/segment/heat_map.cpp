@@ -103,6 +103,7 @@ declareHeatMapOption(std::optional<int>& cid_from, CommandLine& line)
                 optionName(setting::subsample),
                 optionName(setting::random_seed),
                 optionName(setting::start_index),
+                optionName(setting::clean_up),
                 optionName(label_type_setting)});
   line.exclude(name, rawScanOptionNames());
 }

@@ -65,6 +65,7 @@ propagateLabels(const SegmentSettings& settings,
   const std::vector<std::uint32_t>& truth = result.true_labels;
   CIDLabelPropagation<pcl::PointXYZ> propagation;
   configure(settings, scan, run.console, propagation);
+  propagation.setCleanUp(settings.clean_up);
   propagation.setInputCloud(scan.points.points);
   if (!settings.labels.empty()) {
     const SeedTable table = readSeedTable(settings.labels, scan.points);

@@ -11,6 +11,7 @@
 
 #include "heat_map.h"
 #include "run/loaded_scan.h"
+#include "run/parameter.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/cloud_formats.h>
@@ -43,6 +44,7 @@ declareLabelOptions(SegmentSettings& settings, CommandLine& line)
             settings.labels_from,
             "propose seeds and read their labels from this field of INPUT; prints how "
             "many points then have the label that the field says");
+  line.choice(setting::clean_up, settings.clean_up);
 }
 
 } // namespace
@@ -96,7 +98,8 @@ announceOutputs(const SegmentSettings& settings, OutputFiles& outputs)
 std::vector<Report::Parameter>
 labelParametersOf(const SegmentSettings& settings)
 {
-  std::vector<Report::Parameter> parameters;
+  std::vector<Report::Parameter> parameters{
+      parameter(setting::clean_up, settings.clean_up)};
   for (const auto& [name, value] : {std::pair("labels", settings.labels),
                                     std::pair("labels_from", settings.labels_from)})
     if (!value.empty())

@@ -27,6 +27,7 @@ struct SegmentSettings : Settings {
   std::string labels;
   std::string labels_from;
   std::string propose;
+  bool clean_up = setting::clean_up.initial;
   ScannetSettings scannet;
   std::optional<int> cid_from;
 };
@@ -46,7 +47,8 @@ inputsOf(const SegmentSettings& settings);
 void
 announceOutputs(const SegmentSettings& settings, OutputFiles& outputs);
 
-/** \brief Where seeds get their labels from, for the report. */
+/** \brief Where seeds get their labels from, and what becomes of labels, for the
+ *  report. */
 std::vector<Report::Parameter>
 labelParametersOf(const SegmentSettings& settings);
 

@@ -208,6 +208,11 @@ inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "the floor that a scanner hides from itself is a part of the surface: auto "
     "(where there is a hole under the viewpoint) or off"};
 
+inline constexpr ChoiceSetting<bool, 2> clean_up{
+    "Labels", "clean_up", "WHEN", false,
+    {{{"off", false}, {"on", true}}},
+    "mend ragged boundaries between labels: on or off (the paper)"};
+
 // Where to cut the tree: without any of these three, the elbow decides; their defaults
 // stand for no value.
 inline constexpr NumberSetting<int> parts{
@@ -299,6 +304,7 @@ forEachSetting(Visitor&& visit)
             setting::normals,
             setting::connected,
             setting::blind_spot,
+            setting::clean_up,
             setting::parts,
             setting::threshold,
             setting::merges,

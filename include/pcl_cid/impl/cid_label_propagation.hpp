@@ -67,28 +67,42 @@ CIDLabelPropagation<PointT>::labelsOfSeeds(const pcl::Indices& seeds) const
 }
 
 template <typename PointT>
+std::vector<std::uint32_t>
+CIDLabelPropagation<PointT>::labelsOfPoints() const
+{
+  const std::vector<pcl::index_t>& group = this->getProposal().group;
+  std::vector<std::uint32_t> labels(group.size(), 0);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (group[i] >= 0)
+      labels[i] = result_labels_[static_cast<std::size_t>(group[i])];
+  return labels;
+}
+
+template <typename PointT>
 void
 CIDLabelPropagation<PointT>::segment(std::vector<std::uint32_t>& labels)
 {
   labels.clear();
   result_labels_.clear();
-  const ExecutionOptions execution = this->execution(0.0, 1.0);
+  const double grouped = clean_up_ ? 0.5 : 1.0; // of the progress
+  const ExecutionOptions execution = this->execution(0.0, grouped);
   if (seeds_.empty())
     this->proposeSeeds("CIDLabelPropagation::segment", execution);
   else
     this->groupBySeeds(seeds_, execution);
-  const SeedProposal& proposal = this->getProposal();
   try {
-    result_labels_ = labelsOfSeeds(proposal.seeds);
+    result_labels_ = labelsOfSeeds(this->getProposal().seeds);
+    labels = clean_up_ ? cleanBoundaries(*this->getGrouping(),
+                                         result_labels_,
+                                         {},
+                                         this->execution(grouped, 1.0))
+                       : labelsOfPoints();
   }
   catch (...) {
+    result_labels_.clear();
     this->clearProposal();
     throw;
   }
-  labels.resize(proposal.group.size(), 0);
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (proposal.group[i] >= 0)
-      labels[i] = result_labels_[static_cast<std::size_t>(proposal.group[i])];
 }
 
 template <typename PointT>

@@ -41,6 +41,13 @@ public:
     return costs_ ? costs_->between(p, q) : PairCost();
   }
 
+  /** \brief The costs of all pairs; null: the cost is the CID. */
+  const PairCosts*
+  ofPairs() const
+  {
+    return costs_;
+  }
+
   /** \brief Lower bound of the cost of a seed and any point below a node. */
   PairCost
   least(std::size_t node, std::size_t seed) const;

@@ -9,6 +9,7 @@
 
 #include "base/infinity.h"
 #include "block_groups.h"
+#include "cid/cost_search.h"
 
 #include <algorithm>
 #include <utility>
@@ -179,12 +180,13 @@ BlockGroups::compare(Contender& contender,
   const Segment segment = segmentTo(contender.id, point);
   const PairCost cost = costOf(contender.id, point);
   std::size_t& hint = contender.hint;
-  const float below = cost.cidBelow(limit);
-  const float cid = exactly ? search.pointCID(segment, below, hint)
-                            : search.findAtLeast(segment, below, hint).value_or(0.0f);
-  if (cid < below || cost.of(cid) >= limit)
-    return cost.of(cid);
-  return cost.of(search.pointCID(segment, infinity, hint)); // the bounds cannot tell
+  if (!exactly) {
+    const float below = cost.cidBelow(limit);
+    const float cid = search.findAtLeast(segment, below, hint).value_or(0.0f);
+    if (cid < below || cost.of(cid) >= limit)
+      return cost.of(cid);
+  }
+  return searchCost(search, segment, cost, limit, hint);
 }
 
 } // namespace pcl_cid

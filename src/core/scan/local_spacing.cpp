@@ -18,20 +18,6 @@
 namespace pcl_cid {
 namespace {
 
-/** The lower median of an even number. */
-float
-medianReach(const NearestNeighbors& neighbors)
-{
-  std::vector<float> reaches;
-  for (std::size_t i = 0; i < neighbors.size(); ++i)
-    reaches.push_back(neighbors.reach(i));
-  if (reaches.empty())
-    return 0.0f;
-  const auto middle = reaches.begin() + (reaches.size() - 1) / 2;
-  std::nth_element(reaches.begin(), middle, reaches.end());
-  return *middle;
-}
-
 /** Share of the points that are sparse enough to be stray. */
 constexpr double stray_share = 0.02;
 
@@ -74,6 +60,19 @@ quantileByArea(const std::vector<float>& ascending, double total, double share)
 }
 
 } // namespace
+
+float
+medianReach(const NearestNeighbors& neighbors)
+{
+  std::vector<float> reaches;
+  for (std::size_t i = 0; i < neighbors.size(); ++i)
+    reaches.push_back(neighbors.reach(i));
+  if (reaches.empty())
+    return 0.0f;
+  const auto middle = reaches.begin() + (reaches.size() - 1) / 2;
+  std::nth_element(reaches.begin(), middle, reaches.end());
+  return *middle;
+}
 
 std::vector<float>
 localSpacing(const NearestNeighbors& neighbors, float power)

@@ -27,6 +27,11 @@ constexpr float most_spacing = 100.0f;
  *  drawn evenly from surfaces have about 1.5, whatever the surfaces. */
 constexpr float uneven_spread = 1.9f;
 
+/** \brief The spacing of a cloud, metres: the median of the distances from a point to
+ *  its eighth neighbor, the lower one of an even number; 0 without points. */
+float
+medianReach(const NearestNeighbors& neighbors);
+
 /** \brief s(p) of each point: the distance to its eighth neighbor over the median of
  *  the cloud, within `least_spacing` and `most_spacing`, to a power.
  *  \param[in] neighbors of the points

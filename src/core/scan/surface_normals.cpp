@@ -57,9 +57,10 @@ normalOf(const Eigen::Matrix3d& spread)
 std::vector<Eigen::Vector3f>
 surfaceNormals(const Points& points,
                const NearestNeighbors& neighbors,
-               const ExecutionOptions& execution)
+               const ExecutionOptions& execution,
+               const std::vector<bool>& wanted)
 {
-  std::vector<Eigen::Vector3f> normals(points.size());
+  std::vector<Eigen::Vector3f> normals(points.size(), Eigen::Vector3f::Zero());
   Progress progress(execution.progress);
   parallelFor(points.size(),
               1024,
@@ -68,7 +69,8 @@ surfaceNormals(const Points& points,
               {0.0, 0.0},
               [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                  normals[i] = normalOf(spreadAround(points, neighbors, i));
+                  if (wanted.empty() || wanted[i])
+                    normals[i] = normalOf(spreadAround(points, neighbors, i));
               });
   return normals;
 }

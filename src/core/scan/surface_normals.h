@@ -25,10 +25,12 @@ namespace pcl_cid {
  *  \param[in] points of the neighbors
  *  \param[in] neighbors all of them count, and the point itself
  *  \param[in] execution threads and progress; never change a result
+ *  \param[in] wanted for each point whether its normal is, 0 for the others; empty: all
  *  \throws CIDCancelled */
 std::vector<Eigen::Vector3f>
 surfaceNormals(const Points& points,
                const NearestNeighbors& neighbors,
-               const ExecutionOptions& execution);
+               const ExecutionOptions& execution,
+               const std::vector<bool>& wanted = {});
 
 } // namespace pcl_cid

@@ -170,12 +170,15 @@ TEST_F(RawScanOptions, AreRefusedOutOfTheirRange)
     expectRefused(tool, {"--color", "-1"}, 2, "0 or more");
     expectRefused(tool, {"--blind-spot", "on"}, 2, "auto or off");
   }
+  expectRefused("pcl_cid_segment", {"--clean-up", "yes"}, 2, "off or on");
 }
 
 TEST_F(RawScanOptions, AreRefusedWhereTheyHaveNoEffect)
 {
   expectRefused(
       "pcl_cid_segment", {"--cid-from", "0", "--density", "on"}, 2, "density");
+  expectRefused(
+      "pcl_cid_segment", {"--cid-from", "0", "--clean-up", "on"}, 2, "clean-up");
   expectRefused(
       "pcl_cid_segment", {"--labels", "s.csv", "--seeding", "soft"}, 2, "seeding");
 }

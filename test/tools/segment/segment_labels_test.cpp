@@ -164,6 +164,17 @@ TEST_F(SegmentTool, PlaysTheAnnotatorOnARealScan)
   EXPECT_DOUBLE_EQ(report()["score"]["share_right"], share);
 }
 
+TEST_F(SegmentTool, CleansUpWhenAsked)
+{
+  segment({scan_, file("plain.pcd"), "--report", file("report.json")});
+  EXPECT_EQ(report()["parameters"]["clean_up"], "off");
+  segment({scan_, file("off.pcd"), "--clean-up", "off"});
+  EXPECT_EQ(labelsIn(file("off.pcd")), labelsIn(file("plain.pcd")));
+  segment({scan_, file("on.pcd"), "--clean-up", "on", "--report", file("report.json")});
+  EXPECT_EQ(report()["parameters"]["clean_up"], "on");
+  EXPECT_NE(labelsIn(file("on.pcd")), labelsIn(file("plain.pcd")));
+}
+
 TEST_F(SegmentTool, WritesTheLabelTypeThatIsAskedFor)
 {
   segment({scan_, file("u.pcd")});
