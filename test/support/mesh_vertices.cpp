@@ -25,8 +25,11 @@ namespace {
 constexpr std::size_t oversampling = 10;
 /// A box thinner than this is a sheet.
 constexpr double sheet_thickness = 0.01;
-/// Cells are twice as wide from here on, from an edge, and four times from there on.
-constexpr std::array<double, 2> widen_at{0.05, 0.15};
+/// So many widths of the least cells away from an edge, cells are twice as wide, and
+/// four times from there on.
+constexpr std::array<double, 2> widen_at{2.0, 6.0};
+/// How far to look for edges, in metres.
+constexpr double farthest = 0.6;
 /// How far inside of an edge a round surface counts as: it is curved everywhere.
 constexpr double roundness = 0.3;
 /// The width of the cells is good enough when it keeps this share too many at most.
@@ -90,14 +93,13 @@ distanceToOwnEdge(const Primitive& primitive, const Eigen::Vector3d& point)
   return std::max(std::min(roundness * radius, below_end), radius - out);
 }
 
-/// From a point of primitive \a self to the next edge, crease or contact, up to \a far.
+/// From a point of primitive \a self to the next edge, crease or contact.
 double
 distanceToFeature(const std::vector<Primitive>& primitives,
                   std::size_t self,
-                  const Eigen::Vector3d& point,
-                  double far)
+                  const Eigen::Vector3d& point)
 {
-  double nearest = std::min(far, distanceToOwnEdge(primitives[self], point));
+  double nearest = std::min(farthest, distanceToOwnEdge(primitives[self], point));
   for (std::size_t other = 0; other < primitives.size(); ++other) {
     const Primitive& primitive = primitives[other];
     const Eigen::Vector3d away =
@@ -110,40 +112,42 @@ distanceToFeature(const std::vector<Primitive>& primitives,
   return nearest;
 }
 
-/// 0, 1 or 2: how often the cell of each point is doubled.
-std::vector<std::uint8_t>
-levelsOf(const RoomScene& scene, const LabelledScan& dense)
+std::vector<double>
+distancesToFeatures(const RoomScene& scene, const LabelledScan& dense)
 {
-  std::vector<std::uint8_t> levels;
-  levels.reserve(dense.points.size());
-  for (std::size_t i = 0; i < dense.points.size(); ++i) {
-    const double distance = distanceToFeature(scene.primitives,
-                                              dense.primitive[i],
-                                              dense.points[i].cast<double>(),
-                                              widen_at.back());
-    levels.push_back(static_cast<std::uint8_t>(
-        std::upper_bound(widen_at.begin(), widen_at.end(), distance) -
-        widen_at.begin()));
-  }
-  return levels;
+  std::vector<double> distances;
+  distances.reserve(dense.points.size());
+  for (std::size_t i = 0; i < dense.points.size(); ++i)
+    distances.push_back(distanceToFeature(
+        scene.primitives, dense.primitive[i], dense.points[i].cast<double>()));
+  return distances;
+}
+
+/// 0, 1 or 2: how often the cell of a point is doubled.
+unsigned
+levelAt(double distance_in_widths)
+{
+  return static_cast<unsigned>(
+      std::upper_bound(widen_at.begin(), widen_at.end(), distance_in_widths) -
+      widen_at.begin());
 }
 
 /// The first point of each cell, when the least cells are \a width wide.
 std::vector<std::size_t>
 firstOfCells(const LabelledScan& dense,
-             const std::vector<std::uint8_t>& levels,
+             const std::vector<double>& distances,
              double width)
 {
   std::vector<std::pair<Cell, std::size_t>> cells;
   cells.reserve(dense.points.size());
   for (std::size_t i = 0; i < dense.points.size(); ++i) {
-    const double side = width * (1u << levels[i]);
+    const unsigned level = levelAt(distances[i] / width);
+    const double side = width * (1u << level);
     const auto place = [&](int axis) {
       return static_cast<std::int64_t>(
           std::floor(static_cast<double>(dense.points[i][axis]) / side));
     };
-    cells.emplace_back(Cell{levels[i], place(0), place(1), place(2), dense.instance[i]},
-                       i);
+    cells.emplace_back(Cell{level, place(0), place(1), place(2), dense.instance[i]}, i);
   }
   std::sort(cells.begin(), cells.end());
   std::vector<std::size_t> first;
@@ -160,14 +164,14 @@ LabelledScan
 sampleMeshVertices(const RoomScene& scene, std::size_t count, std::uint64_t seed)
 {
   const LabelledScan dense = sampleRoomEvenly(scene, oversampling * count, seed);
-  const std::vector<std::uint8_t> levels = levelsOf(scene, dense);
+  const std::vector<double> distances = distancesToFeatures(scene, dense);
   double fine = 0.0005;
   double coarse = 1.0;
-  std::vector<std::size_t> kept = firstOfCells(dense, levels, fine);
+  std::vector<std::size_t> kept = firstOfCells(dense, distances, fine);
   const std::size_t enough = count + count / surplus_share;
   for (int step = 0; step < bisections && kept.size() > enough; ++step) {
     const double width = (fine + coarse) / 2;
-    std::vector<std::size_t> first = firstOfCells(dense, levels, width);
+    std::vector<std::size_t> first = firstOfCells(dense, distances, width);
     if (first.size() < count) {
       coarse = width;
       continue;
