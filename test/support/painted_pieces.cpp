@@ -14,7 +14,7 @@
 namespace pcl_cid::test {
 namespace {
 
-constexpr double sheet_thickness = 0.001;
+constexpr double print_thickness = 0.001;
 
 void
 addPart(PaintedPiece& painted, const Primitive& primitive, const Material& material)
@@ -31,7 +31,7 @@ makeSheetOnWall(RandomGenerator& generator, double half_width, double half_heigh
   return makeBox(-half_width,
                  half_width,
                  0.0,
-                 sheet_thickness,
+                 print_thickness,
                  middle - half_height,
                  middle + half_height);
 }

@@ -106,8 +106,8 @@ scanInOneView(const RoomScene& scene, std::size_t points, std::uint64_t seed)
     return selected(around, seen);
   }
   throw CIDException("a camera sees less than " + std::to_string(points) +
-                     " points of the room; allowed are fewer points, or a room whose "
-                     "middle lies more than 0.4 m from it");
+                     " points of the room; allowed are fewer points, or a room with "
+                     "walls around it");
 }
 
 /// Of \a total points, as many for each position as its drawn share.
@@ -129,7 +129,7 @@ drawQuotas(std::size_t positions, std::size_t total, RandomGenerator& generator)
   return quotas;
 }
 
-/// Each position is scanned on its own, as its quota may be all that it sees.
+/// Each position sees more than enough, and keeps its quota.
 LabelledScan
 scanAndMerge(const RoomScene& scene, std::size_t points, std::uint64_t seed)
 {

@@ -57,10 +57,10 @@ struct ScanErrors {
 ScanErrors
 usualErrors(ScanKind kind);
 
-/** \brief Moves points (and the positions that a shifted scan was made from) and
- * changes colors, where there are any. \param[in,out] scan points without noise
+/** \brief Moves points, and the positions that a shifted scan was made from, and
+ * changes colors where there are any. \param[in,out] scan points without noise
  *  \param[in] errors how far
- *  \param[in] seed of the draws: the same on every machine */
+ *  \param[in] seed of the draws, the same on every machine */
 void
 disturb(LabelledScan& scan, const ScanErrors& errors, std::uint64_t seed);
 

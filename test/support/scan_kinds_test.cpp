@@ -41,24 +41,24 @@ theRoom()
 }
 
 LabelledScan
-wholeScan(ScanKind kind, std::size_t points, std::uint64_t seed)
+wholeScan(ScanKind kind, std::size_t count, std::uint64_t seed)
 {
-  LabelledScan scan = choosePoints(theRoom().scene, kind, points, seed);
+  LabelledScan scan = choosePoints(theRoom().scene, kind, count, seed);
   paintScan(theRoom(), scan);
   disturb(scan, usualErrors(kind), seed);
   return scan;
 }
 
-/// Of every hundredth of \a points, the distance to the eighth neighbor, which varies
-/// little where points are drawn evenly; sorted.
+/// Of every hundredth of \a places, the distance to the eighth neighbor, which varies
+/// little where places are drawn evenly; sorted.
 std::vector<double>
-spacingsOf(const std::vector<Eigen::Vector3f>& points)
+spacingsOf(const std::vector<Eigen::Vector3f>& places)
 {
   std::vector<double> spacings;
-  for (std::size_t i = 0; i < points.size(); i += 100) {
+  for (std::size_t i = 0; i < places.size(); i += 100) {
     std::vector<float> squared;
-    for (const Eigen::Vector3f& other : points)
-      squared.push_back((other - points[i]).squaredNorm());
+    for (const Eigen::Vector3f& other : places)
+      squared.push_back((other - places[i]).squaredNorm());
     std::nth_element(squared.begin(), squared.begin() + 8, squared.end());
     spacings.push_back(std::sqrt(squared[8]));
   }
