@@ -57,8 +57,8 @@ struct ScanErrors {
 ScanErrors
 usualErrors(ScanKind kind);
 
-/** \brief Moves points, and the positions that a shifted scan was made from, and
- * changes colors where there are any. \param[in,out] scan points without noise
+/** \brief Moves points and, with their scan, its position; changes colors, if any.
+ *  \param[in,out] scan points without noise
  *  \param[in] errors how far
  *  \param[in] seed of the draws, the same on every machine */
 void
