@@ -4,7 +4,8 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# Pictures of what settings make of the same scan: groups (PLY, label) and seeds (CSV) of each.
+# Pictures of what settings make of the same scan: groups (PLY, label) and seeds (CSV) of each; or of
+# scans in their own colors.
 
 import argparse
 import csv
@@ -43,12 +44,21 @@ def from_above(places, elevation, azimuth):
     return places @ right, places @ np.cross(toward, right), -(places @ toward)
 
 
+def colors_of(cloud, are_own):
+    """A color for each point: its own, or that of its group."""
+    if are_own:
+        return np.stack([cloud[name] for name in ("red", "green", "blue")], axis=1) / 255
+    return palette(int(cloud["label"].max()) + 1)[cloud["label"]]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("picture", help="PNG to write")
     parser.add_argument("--panel", nargs=3, action="append", required=True,
                         metavar=("TITLE", "GROUPS", "SEEDS"),
                         help="binary PLY with a label, and the table of its seeds; once for each")
+    parser.add_argument("--own-colors", action="store_true",
+                        help="as the fields red, green and blue say, and without the seeds")
     parser.add_argument("--camera", action="store_true", help="as a depth sensor saw it")
     parser.add_argument("--cut-above", type=float, default=np.inf,
                         help="height above which nothing is shown (removes a ceiling)")
@@ -77,14 +87,14 @@ def main():
         places = np.stack([cloud[axis] for axis in "xyz"], axis=1).astype(float)
         shown = np.flatnonzero(np.isfinite(places).all(axis=1) & is_shown(places))
         shown = shown[::max(1, len(shown) // args.points)]
-        colors = palette(int(cloud["label"].max()) + 1)
+        colors = colors_of(cloud, args.own_colors)[shown]
         right, up, off = project(places[shown])
         order = np.argsort(-off)
-        axes.scatter(right[order], up[order], c=colors[cloud["label"][shown][order]], s=1.5,
-                     linewidths=0)
-        chosen = read_seeds(seeds)
-        right, up, _ = project(chosen[is_shown(chosen)])
-        axes.scatter(right, up, s=14, color="white", edgecolor="black", linewidths=0.9)
+        axes.scatter(right[order], up[order], c=colors[order], s=1.5, linewidths=0)
+        if not args.own_colors:
+            chosen = read_seeds(seeds)
+            right, up, _ = project(chosen[is_shown(chosen)])
+            axes.scatter(right, up, s=14, color="white", edgecolor="black", linewidths=0.9)
         axes.set_title(title, fontsize="medium")
         axes.set_aspect("equal")
         axes.set_axis_off()

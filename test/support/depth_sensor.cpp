@@ -166,7 +166,8 @@ lookAround(const Sensor& sensor,
         const Eigen::Vector3d ray = rayThrough(
             sensor, face, imageCoordinate(column, side), imageCoordinate(row, side));
         RayHit hit;
-        if (ray.z() <= options.max_elevation_sine &&
+        if (ray.z() >= options.min_elevation_sine &&
+            ray.z() <= options.max_elevation_sine &&
             tree.firstHit(sensor.position, ray, hit) &&
             hit.surface.range >= options.range.low &&
             hit.surface.range <= options.range.high &&
@@ -215,17 +216,6 @@ lookFromAll(const std::vector<Sensor>& sensors,
   return sightings;
 }
 
-/// Keeps \a wanted of the sightings, each as likely as any other, in their order.
-void
-thin(std::vector<Sighting>& sightings, std::size_t wanted, RandomGenerator& generator)
-{
-  std::size_t kept = 0;
-  for (std::size_t i = 0; kept < wanted; ++i)
-    if (drawBelow(generator, sightings.size() - i) < wanted - kept)
-      sightings[kept++] = sightings[i];
-  sightings.resize(wanted);
-}
-
 std::vector<Sighting>
 lookForPoints(const std::vector<Sensor>& sensors,
               const PrimitiveTree& tree,
@@ -266,6 +256,7 @@ scanRoom(const RoomScene& scene, const SensorOptions& options)
     const std::uint32_t instance = scene.primitives[sighting.primitive].instance;
     scan.points.push_back(point.cast<float>());
     scan.instance.push_back(instance);
+    scan.primitive.push_back(sighting.primitive);
     scan.semantic.push_back(
         static_cast<std::uint8_t>(scene.class_of_instance[instance]));
     scan.sensor.push_back(sighting.sensor);

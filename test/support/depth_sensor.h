@@ -26,7 +26,9 @@ struct SensorOptions {
   unsigned positions = 4;
   /// Heights at which it stands.
   Range height{1.1, 1.8};
-  /// It looks down as far as one can, and up to this sine of the elevation.
+  /// It looks from this sine of the elevation, below -1 as far down as one can ...
+  double min_elevation_sine = -2.0;
+  /// ... up to this one.
   double max_elevation_sine = 0.5;
   /// Standard deviation along the ray at range r: noise r^2. 0 is a perfect sensor; a
   /// Kinect has about 0.0015 per metre.

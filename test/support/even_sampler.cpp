@@ -17,11 +17,13 @@
 namespace pcl_cid::test {
 namespace {
 
-enum class PatchShape { rectangle, disc, tube };
+constexpr double pi = 3.14159265358979323846;
+
+enum class PatchShape { rectangle, disc, tube, ball };
 
 /// A part of a primitive's surface, in the primitive's own frame: the points
-/// center + a u + b v (a, b from -1 to 1; a disc within a^2 + b^2 <= 1), or the round
-/// side of a cylinder.
+/// center + a u + b v (a, b from -1 to 1; a disc within a^2 + b^2 <= 1), the round
+/// side of a cylinder, or the two half balls of a capsule.
 struct Patch {
   std::size_t primitive;
   PatchShape shape;
@@ -36,10 +38,16 @@ public:
   explicit PatchList(const std::vector<Primitive>& primitives)
   {
     for (std::size_t i = 0; i < primitives.size(); ++i)
-      if (primitives[i].shape == Shape::box)
+      switch (primitives[i].shape) {
+      case Shape::box:
         addBox(i, primitives[i].half);
-      else
+        break;
+      case Shape::cylinder:
         addCylinder(i, primitives[i].half);
+        break;
+      case Shape::capsule:
+        addCapsule(i, primitives[i].half);
+      }
   }
 
   /// A patch drawn with a probability proportional to its area.
@@ -84,7 +92,6 @@ private:
   void
   addCylinder(std::size_t primitive, const Eigen::Vector3d& half)
   {
-    constexpr double pi = 3.14159265358979323846;
     const double radius = half.x();
     const Eigen::Vector3d u = Eigen::Vector3d::UnitX() * radius;
     const Eigen::Vector3d v = Eigen::Vector3d::UnitY() * radius;
@@ -92,6 +99,17 @@ private:
     add({primitive, PatchShape::disc, up, u, v, 0.0}, pi * radius * radius);
     add({primitive, PatchShape::disc, -up, u, v, 0.0}, pi * radius * radius);
     add({primitive, PatchShape::tube, up, u, v, 0.0}, 4.0 * pi * radius * half.z());
+  }
+
+  void
+  addCapsule(std::size_t primitive, const Eigen::Vector3d& half)
+  {
+    const double radius = half.x();
+    const Eigen::Vector3d u = Eigen::Vector3d::UnitX() * radius;
+    const Eigen::Vector3d v = Eigen::Vector3d::UnitY() * radius;
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ() * (half.z() - radius);
+    add({primitive, PatchShape::tube, up, u, v, 0.0}, 4.0 * pi * radius * up.z());
+    add({primitive, PatchShape::ball, up, u, v, 0.0}, 4.0 * pi * radius * radius);
   }
 
   std::vector<Patch> patches_;
@@ -129,6 +147,12 @@ drawOnPatch(const Patch& patch, RandomGenerator& generator)
     return patch.center + point.a * patch.u + point.b * patch.v;
   const double scale = 1.0 / std::sqrt(point.squared_norm);
   const double height = drawWithin(generator, {-1.0, 1.0});
+  if (patch.shape == PatchShape::ball) { // all heights of a ball have equal areas
+    const double ring = std::sqrt(1.0 - height * height) * scale;
+    const Eigen::Vector3d center = height < 0.0 ? -patch.center : patch.center;
+    return center + ring * (point.a * patch.u + point.b * patch.v) +
+           height * patch.u.x() * Eigen::Vector3d::UnitZ();
+  }
   return height * patch.center + point.a * scale * patch.u + point.b * scale * patch.v;
 }
 
@@ -151,6 +175,7 @@ sampleRoomEvenly(const RoomScene& scene, std::size_t count, std::uint64_t seed)
     const RoomClass room_class = scene.class_of_instance[primitive.instance];
     scan.points.push_back(point.cast<float>());
     scan.instance.push_back(primitive.instance);
+    scan.primitive.push_back(static_cast<std::uint32_t>(patch.primitive));
     scan.semantic.push_back(static_cast<std::uint8_t>(room_class));
   }
   return scan;

@@ -15,6 +15,8 @@
 
 #include <Eigen/Core>
 
+#include <pcl_cid/core/color.h>
+
 namespace pcl_cid::test {
 
 /** \brief Points with the true instance and class of each; parallel vectors. */
@@ -23,6 +25,8 @@ struct LabelledScan {
   std::vector<Eigen::Vector3f> points;
   /// 1..n, the instance of the scene that the point lies on.
   std::vector<std::uint32_t> instance;
+  /// The primitive of the scene that the point lies on.
+  std::vector<std::uint32_t> primitive;
   /// The class of that instance, an index into class_names; 0 is "none" and unused.
   std::vector<std::uint8_t> semantic;
   /// "none", then the classes in the order of roomClassNames().
@@ -31,6 +35,8 @@ struct LabelledScan {
   std::vector<Eigen::Vector3d> sensor_positions;
   /// The position that saw the point; empty for even sampling.
   std::vector<std::uint8_t> sensor;
+  /// The color of the point; empty where the room has none.
+  std::vector<ColorRGB> colors;
 };
 
 } // namespace pcl_cid::test

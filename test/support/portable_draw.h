@@ -11,6 +11,11 @@
 
 #include "base/random.h"
 
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
 namespace pcl_cid::test {
 
 /** \brief A closed interval to draw from. */
@@ -42,6 +47,42 @@ drawNormal(RandomGenerator& generator)
   for (int draw = 0; draw < 12; ++draw)
     sum += drawUnit(generator);
   return sum;
+}
+
+/** \brief A whole number from \a low to \a high. */
+inline unsigned
+drawCount(RandomGenerator& generator, unsigned low, unsigned high)
+{
+  return low + static_cast<unsigned>(drawBelow(generator, high - low + 1));
+}
+
+/** \brief A range of a single value, from \a range. */
+inline Range
+drawMeasure(RandomGenerator& generator, const Range& range)
+{
+  const double measure = drawWithin(generator, range);
+  return {measure, measure};
+}
+
+/** \brief A direction in plan; the tangent of half its angle is at most \a limit. */
+inline Eigen::Vector2d
+drawTurn(RandomGenerator& generator, double limit)
+{
+  const double t = drawWithin(generator, {-limit, limit});
+  return Eigen::Vector2d{1.0 - t * t, 2.0 * t} / (1.0 + t * t);
+}
+
+/** \brief Keeps \a wanted of the items, at most all, each as likely as any other, in
+ *  their order. */
+template <typename Item>
+void
+thin(std::vector<Item>& items, std::size_t wanted, RandomGenerator& generator)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; kept < wanted; ++i)
+    if (drawBelow(generator, items.size() - i) < wanted - kept)
+      items[kept++] = items[i];
+  items.resize(wanted);
 }
 
 } // namespace pcl_cid::test

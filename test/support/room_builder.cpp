@@ -9,11 +9,23 @@
 
 #include "room_builder.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace pcl_cid::test {
 namespace {
 
 /// Rounding that may carry a piece on a wall out of the room.
 constexpr double inside_tolerance = 1e-6;
+
+/** Shell and openings, which are a room's first instances. */
+bool
+isOfShell(RoomClass room_class)
+{
+  return room_class == RoomClass::ceiling || room_class == RoomClass::floor ||
+         room_class == RoomClass::wall || room_class == RoomClass::window ||
+         room_class == RoomClass::door;
+}
 
 } // namespace
 
@@ -21,6 +33,15 @@ RoomBuilder::RoomBuilder(const Eigen::Vector3d& size)
 {
   scene_.size = size;
   scene_.class_of_instance.push_back(RoomClass::none);
+}
+
+RoomBuilder::RoomBuilder(RoomScene scene) : scene_(std::move(scene))
+{
+  const auto furniture = std::find_if(
+      scene_.primitives.begin(), scene_.primitives.end(), [&](const Primitive& p) {
+        return !isOfShell(scene_.class_of_instance[p.instance]);
+      });
+  shell_end_ = static_cast<std::size_t>(furniture - scene_.primitives.begin());
 }
 
 void

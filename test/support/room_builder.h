@@ -22,6 +22,9 @@ class RoomBuilder {
 public:
   explicit RoomBuilder(const Eigen::Vector3d& size);
 
+  /** \brief Goes on with a room that has shell and furniture. */
+  explicit RoomBuilder(RoomScene scene);
+
   const RoomScene&
   scene() const
   {
@@ -31,6 +34,13 @@ public:
   /** \brief Adds \a piece without a test for collision: shell and openings. */
   void
   add(const Piece& piece, RoomClass room_class);
+
+  /** \brief Tells of what small things can stand on in a bookcase. */
+  void
+  addShelves(const std::vector<Support>& shelves)
+  {
+    scene_.shelves.insert(scene_.shelves.end(), shelves.begin(), shelves.end());
+  }
 
   /** \brief From here on pieces may touch all that was added before. */
   void

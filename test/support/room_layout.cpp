@@ -34,14 +34,6 @@ constexpr double door_clearance = 0.9;
 constexpr double opening_top = 2.05;
 constexpr double beam_depth = 0.25;
 
-/// A direction in plan; the tangent of half its angle is at most \a limit.
-Eigen::Vector2d
-drawTurn(RandomGenerator& generator, double limit)
-{
-  const double t = drawWithin(generator, {-limit, limit});
-  return Eigen::Vector2d{1.0 - t * t, 2.0 * t} / (1.0 + t * t);
-}
-
 /// Braces, because the order of evaluation within parentheses is not fixed.
 Eigen::Vector3d
 drawSize(const RoomOptions& options, RandomGenerator& generator)
@@ -254,8 +246,7 @@ private:
   {
     if (!placeOnWall(makeBookcase(generator_), RoomClass::bookcase, wall_gap))
       return false;
-    shelves_.insert(
-        shelves_.end(), last_placed_.supports.begin(), last_placed_.supports.end());
+    room_.addShelves(last_placed_.supports);
     return true;
   }
 
@@ -337,7 +328,8 @@ private:
     const std::uint64_t choice = drawBelow(generator_, 5);
     if (choice == 0)
       return Support{{size_.head<2>() / 2}, size_.x(), size_.y(), 0.0, size_.z()};
-    const std::vector<Support>& supports = choice == 1 ? shelves_ : table_tops_;
+    const std::vector<Support>& supports =
+        choice == 1 ? room_.scene().shelves : table_tops_;
     if (supports.empty())
       return std::nullopt;
     return supports[drawBelow(generator_, supports.size())];
@@ -381,7 +373,6 @@ private:
   RoomBuilder room_;
   std::vector<double> beam_positions_;
   std::vector<Support> table_tops_;
-  std::vector<Support> shelves_;
   Piece last_placed_;
 };
 

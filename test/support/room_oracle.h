@@ -30,6 +30,11 @@ signedDistance(const Primitive& primitive, const Eigen::Vector3d& point)
   const Eigen::Vector3d over = local.cwiseAbs() - primitive.half;
   if (primitive.shape == Shape::box)
     return over.cwiseMax(0.0).norm() + std::min(over.maxCoeff(), 0.0);
+  if (primitive.shape == Shape::capsule) {
+    const double straight = primitive.half.z() - primitive.half.x();
+    const double over_end = std::max(std::abs(local.z()) - straight, 0.0);
+    return std::hypot(local.x(), local.y(), over_end) - primitive.half.x();
+  }
   const Eigen::Vector2d beyond(local.head<2>().norm() - primitive.half.x(), over.z());
   return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
 }
@@ -76,6 +81,22 @@ surfaceGrid(const Primitive& primitive, double step)
   }
   const double radius = half.x();
   const int slices = cells(2 * M_PI * radius);
+  if (primitive.shape ==
+      Shape::capsule) { // equal shares of the height have equal areas
+    const double straight = half.z() - radius;
+    const int layers = cells(2 * half.z());
+    for (int i = 0; i < slices * layers; ++i) {
+      const double angle = 2 * M_PI * (i % slices + 0.5) / slices;
+      const double z = half.z() * ((2.0 * (i / slices) + 1.0) / layers - 1.0);
+      const double up = std::max(std::abs(z) - straight, 0.0);
+      const double out = std::sqrt(radius * radius - up * up);
+      add(out * std::cos(angle),
+          out * std::sin(angle),
+          z,
+          4 * M_PI * radius * half.z() / slices / layers);
+    }
+    return points;
+  }
   const int layers = cells(2 * half.z());
   const int rings = cells(radius);
   for (int slice = 0; slice < slices; ++slice) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "furniture.h"
 #include "portable_draw.h"
 #include "scene_primitive.h"
 
@@ -70,6 +71,8 @@ struct RoomScene {
   std::vector<Primitive> primitives;
   /// The class of instance i; instances count from 1, entry 0 is none.
   std::vector<RoomClass> class_of_instance;
+  /// What small things can stand on in its bookcases.
+  std::vector<Support> shelves;
 };
 
 /** \brief Draws a furnished room. Pieces touch where they stand on each other, and

@@ -24,20 +24,6 @@ constexpr int room_attempts = 100;
 /** Tangent of half of 45 degrees: with quarter turns, furniture looks anywhere. */
 constexpr double any_turn = 0.4142;
 
-/** A whole number from \a low to \a high. */
-unsigned
-drawCount(RandomGenerator& generator, unsigned low, unsigned high)
-{
-  return low + static_cast<unsigned>(drawBelow(generator, high - low + 1));
-}
-
-Range
-drawMeasure(RandomGenerator& generator, const Range& range)
-{
-  const double measure = drawWithin(generator, range);
-  return {measure, measure};
-}
-
 RoomOptions
 drawOptions(RandomGenerator& generator)
 {

@@ -16,7 +16,8 @@
 namespace pcl_cid::test {
 
 /** \brief The points in their order: float x y z, uint32 label (the instance) and
- *  semantic (the class, an index into the names of the scan); no padding. */
+ *  semantic (the class, an index into the names of the scan) and, where the scan has
+ *  colors, rgb as PCL packs it into a float; no padding. */
 pcl::PCLPointCloud2
 cloudOf(const LabelledScan& scan);
 

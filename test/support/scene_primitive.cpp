@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Upright boxes, rectangles and cylinders: geometry with + - * / and sqrt only.
+ * Upright boxes, cylinders and capsules: geometry with + - * / and sqrt only.
  */
 
 #include "scene_primitive.h"
@@ -86,6 +86,43 @@ intersectCylinder(const Eigen::Vector3d& half,
   return interval.enter > 0.0 && interval.enter <= interval.leave;
 }
 
+/** Lowers \a hit to where a ray enters the ball around \a center, if that is nearer. */
+void
+lowerToBall(const Eigen::Vector3d& center,
+            double radius,
+            const Eigen::Vector3d& origin,
+            const Eigen::Vector3d& direction,
+            SurfaceHit& hit)
+{
+  const Eigen::Vector3d offset = origin - center;
+  const double b = dot(offset, direction);
+  const double discriminant = b * b - dot(offset, offset) + radius * radius;
+  if (discriminant < 0.0)
+    return;
+  const double root = std::sqrt(discriminant);
+  if (-b - root > 0.0 && -b - root < hit.range)
+    hit = {-b - root, root / radius};
+}
+
+/** A capsule is the union of a tube and two balls: the ray enters it where it first
+ *  enters one of them. */
+bool
+intersectCapsule(const Eigen::Vector3d& half,
+                 const Eigen::Vector3d& origin,
+                 const Eigen::Vector3d& direction,
+                 SurfaceHit& hit)
+{
+  const double radius = half.x();
+  const double straight = half.z() - radius;
+  SurfaceHit tube;
+  hit = {std::numeric_limits<double>::infinity(), 0.0};
+  if (intersectCylinder({radius, radius, straight}, origin, direction, tube))
+    hit = tube;
+  lowerToBall({0.0, 0.0, straight}, radius, origin, direction, hit);
+  lowerToBall({0.0, 0.0, -straight}, radius, origin, direction, hit);
+  return hit.range < std::numeric_limits<double>::infinity();
+}
+
 double
 reachInPlan(const Primitive& primitive, const Eigen::Vector2d& direction)
 {
@@ -142,6 +179,14 @@ makeCylinder(double x, double y, double radius, double z0, double z1)
 }
 
 Primitive
+makeCapsule(double x, double y, double radius, double z0, double z1)
+{
+  Primitive capsule = makeCylinder(x, y, radius, z0, z1);
+  capsule.shape = Shape::capsule;
+  return capsule;
+}
+
+Primitive
 moved(Primitive primitive, const Pose& pose, double z)
 {
   const Pose own{{primitive.center.x(), primitive.center.y()}, primitive.axis};
@@ -173,11 +218,22 @@ toWorld(const Primitive& primitive, const Eigen::Vector3d& local)
   return primitive.center + Eigen::Vector3d(plan.x(), plan.y(), local.z());
 }
 
+Eigen::Vector3d
+nearestOfCore(const Primitive& capsule, const Eigen::Vector3d& local)
+{
+  const double straight = capsule.half.z() - capsule.half.x();
+  return {0.0, 0.0, std::clamp(local.z(), -straight, straight)};
+}
+
 double
 distanceTo(const Primitive& primitive, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d local = toLocal(primitive, point);
   Eigen::Vector3d outside = local.cwiseAbs() - primitive.half;
+  if (primitive.shape == Shape::capsule) {
+    const Eigen::Vector3d from_core = local - nearestOfCore(primitive, local);
+    return std::max(0.0, std::sqrt(dot(from_core, from_core)) - primitive.half.x());
+  }
   if (primitive.shape == Shape::cylinder) {
     outside.x() =
         std::sqrt(local.x() * local.x() + local.y() * local.y()) - primitive.half.x();
@@ -205,7 +261,7 @@ overlap(const Primitive& a, const Primitive& b, double gap)
 Eigen::Vector3d
 boundingHalf(const Primitive& primitive)
 {
-  if (primitive.shape == Shape::cylinder)
+  if (primitive.shape != Shape::box)
     return primitive.half;
   return {reachInPlan(primitive, {1.0, 0.0}),
           reachInPlan(primitive, {0.0, 1.0}),
@@ -220,9 +276,14 @@ intersect(const Primitive& primitive,
 {
   const Eigen::Vector3d local_origin = toLocal(primitive, origin);
   const Eigen::Vector3d local_direction = directionToLocal(primitive, direction);
-  return primitive.shape == Shape::box
-             ? intersectBox(primitive.half, local_origin, local_direction, hit)
-             : intersectCylinder(primitive.half, local_origin, local_direction, hit);
+  switch (primitive.shape) {
+  case Shape::box:
+    return intersectBox(primitive.half, local_origin, local_direction, hit);
+  case Shape::cylinder:
+    return intersectCylinder(primitive.half, local_origin, local_direction, hit);
+  default:
+    return intersectCapsule(primitive.half, local_origin, local_direction, hit);
+  }
 }
 
 } // namespace pcl_cid::test

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Upright boxes, rectangles and cylinders: the solids that a test room is made of.
+ * Upright boxes, rectangles, cylinders and capsules: the solids of a test room.
  */
 
 #pragma once
@@ -23,14 +23,15 @@ struct Pose {
   Eigen::Vector2d axis{1.0, 0.0};
 };
 
-enum class Shape { box, cylinder };
+enum class Shape { box, cylinder, capsule };
 
 /** \brief A solid that stands upright, turned about z only. A box with one zero extent
  *  is a rectangle. */
 struct Primitive {
   Shape shape = Shape::box;
   Eigen::Vector3d center{0.0, 0.0, 0.0};
-  /// Half extents along the own axes in metres; a cylinder has its radius in x and y.
+  /// Half extents along the own axes in metres; cylinder and capsule have their radius
+  /// in x and y, and a capsule is at least as high as it is wide (a ball: just so).
   Eigen::Vector3d half{0.0, 0.0, 0.0};
   /// The own x axis in plan, unit length.
   Eigen::Vector2d axis{1.0, 0.0};
@@ -61,6 +62,10 @@ makeBox(double x0, double x1, double y0, double y1, double z0, double z1);
 Primitive
 makeCylinder(double x, double y, double radius, double z0, double z1);
 
+/** \brief A vertical cylinder with half balls for ends, within its length. */
+Primitive
+makeCapsule(double x, double y, double radius, double z0, double z1);
+
 /** \brief \a primitive, given in the frame \a pose raised by \a z, in the outer frame.
  */
 Primitive
@@ -76,12 +81,17 @@ directionToLocal(const Primitive& primitive, const Eigen::Vector3d& direction);
 Eigen::Vector3d
 toWorld(const Primitive& primitive, const Eigen::Vector3d& local);
 
+/** \brief The point of a capsule's core (what is one radius inside of it) nearest to
+ *  \a local, in its own frame. */
+Eigen::Vector3d
+nearestOfCore(const Primitive& capsule, const Eigen::Vector3d& local);
+
 /** \brief Distance from \a point to the solid, 0 inside. */
 double
 distanceTo(const Primitive& primitive, const Eigen::Vector3d& point);
 
 /** \brief Whether two solids come closer than \a gap in plan while their heights
- *  overlap; standing on each other is no overlap. A cylinder counts as its box. */
+ *  overlap; standing on each other is no overlap. Round solids count as their boxes. */
 bool
 overlap(const Primitive& a, const Primitive& b, double gap);
 
