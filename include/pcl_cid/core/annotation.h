@@ -36,8 +36,8 @@ struct AnnotationState {
   /** Clicks that were made: fewer than asked for where nothing is wrong any more, or
    *  nothing is left to propose. */
   std::size_t clicks = 0;
-  /** Each true instance, and all points that have its label: see sameLabelOverlaps().
-   */
+  /** Each true instance, and all points that have its label, of those with a true one:
+   *  see sameLabelOverlaps(). */
   InstanceOverlaps overlaps;
 };
 

@@ -101,8 +101,11 @@ ClickedGrouping::state(const std::vector<std::uint32_t>& labels) const
   const std::size_t size = cloud_truth_.size();
   const PointLabels truth{cloud_truth_,
                           std::vector<std::uint32_t>(size, class_of_instances)};
-  const PointLabels prediction{
-      scan().workingSet().carryOn(labels, size, std::uint32_t{0}), {}};
+  PointLabels prediction{scan().workingSet().carryOn(labels, size, std::uint32_t{0}),
+                         {}};
+  for (std::size_t i = 0; i < size; ++i)
+    if (truth.label[i] == 0) // nobody can tell whether its label is right
+      prediction.label[i] = 0;
   return {clicks(), sameLabelOverlaps(overlapsOf(prediction, truth))};
 }
 

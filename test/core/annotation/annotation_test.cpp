@@ -76,7 +76,8 @@ countedIous(const Labels& labels, const Labels& truth)
     double either = 0.0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       both += truth[i] == instance && labels[i] == instance ? 1.0 : 0.0;
-      either += truth[i] == instance || labels[i] == instance ? 1.0 : 0.0;
+      either +=
+          truth[i] == instance || (labels[i] == instance && truth[i] != 0) ? 1.0 : 0.0;
     }
     if (instance != 0)
       ious[instance] = both / either;
