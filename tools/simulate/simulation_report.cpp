@@ -55,8 +55,8 @@ figureNames(AnnotationProtocol protocol)
 /** A line of the table. */
 struct ScoreRow {
   std::size_t instances = 0;
-  std::size_t clicks = 0; ///< asked for
-  std::size_t used = 0;   ///< made
+  std::size_t clicks = 0; ///< asked for in each scan, or the budget of all
+  std::size_t used = 0;   ///< made in all
   std::vector<double> figures;
 };
 
@@ -67,10 +67,10 @@ pooledRow(const std::vector<const AnnotatedScan*>& scans,
           std::size_t clicks)
 {
   ScoreRow row;
+  row.clicks = clicks;
   std::vector<InstanceOverlaps> overlaps;
   for (const AnnotatedScan* const scan : scans) {
     overlaps.push_back(scan->states[index].overlaps);
-    row.clicks += clicks;
     row.used += scan->states[index].clicks;
   }
   const AnnotationScore score = scoreAnnotations(overlaps);

@@ -87,7 +87,7 @@ annotateProposals(const AnnotationTask& task,
                   const ExecutionOptions& execution)
 {
   requireCounts(counts);
-  ClickedGrouping clicked(task);
+  ClickedGrouping clicked(task, ClickedGrouping::Looks::rare);
   std::vector<AnnotationState> states;
   for (const std::size_t count : counts) {
     clicked.propose(
@@ -105,7 +105,7 @@ annotateCorrections(const AnnotationTask& task,
                     const ExecutionOptions& execution)
 {
   requireCounts(counts);
-  ClickedGrouping clicked(task);
+  ClickedGrouping clicked(task, ClickedGrouping::Looks::after_click);
   Corrections corrections(clicked, {execution.threads, {}});
   Progress progress(execution.progress);
   std::vector<AnnotationState> states;

@@ -34,6 +34,14 @@ requireTask(const AnnotationTask& task)
   return task;
 }
 
+GroupingSettings
+settingsFor(const AnnotationTask& task, bool keep_cid)
+{
+  GroupingSettings settings = task.grouping;
+  settings.keep_cid = keep_cid;
+  return settings;
+}
+
 /** The true labels without those of points that are not grouped. */
 std::vector<std::uint32_t>
 truthOfGrouped(const AnnotationTask& task)
@@ -56,8 +64,9 @@ truthOfGrouped(const AnnotationTask& task)
 
 } // namespace
 
-ClickedGrouping::ClickedGrouping(const AnnotationTask& task)
-: grouping_(requireTask(task).scan, task.grouping), cloud_truth_(truthOfGrouped(task))
+ClickedGrouping::ClickedGrouping(const AnnotationTask& task, Looks looks)
+: grouping_(requireTask(task).scan, settingsFor(task, looks == Looks::after_click))
+, cloud_truth_(truthOfGrouped(task))
 {
   const auto size = static_cast<pcl::index_t>(scan().working().size());
   for (pcl::index_t i = 0; i < size; ++i)

@@ -26,8 +26,14 @@ constexpr std::uint32_t class_of_instances = 1;
  */
 class ClickedGrouping {
 public:
+  /** How often labels are asked for. Either gives the same ones. */
+  enum class Looks {
+    rare,       ///< after many clicks
+    after_click ///< what a look finds out about CIDs is kept: half the time
+  };
+
   /** \throws CIDException when the task is not one */
-  explicit ClickedGrouping(const AnnotationTask& task);
+  ClickedGrouping(const AnnotationTask& task, Looks looks);
 
   const PreparedScan&
   scan() const

@@ -158,7 +158,7 @@ annotateVoxels(const AnnotationTask& task,
                const ExecutionOptions& execution)
 {
   requireOptions(options);
-  ClickedGrouping clicked(task);
+  ClickedGrouping clicked(task, ClickedGrouping::Looks::after_click);
   VoxelAnnotator annotator(clicked, options.voxel, execution.threads);
   Progress progress(execution.progress);
   annotator.clickAll();
