@@ -85,6 +85,14 @@ public:
     return grouping_settings_.seeding;
   }
 
+  /** \brief The settings by which points are compared with seeds, as Grouping takes
+   *  them: for a grouping of one's own on what prepare() returns. */
+  const GroupingSettings&
+  getGroupingSettings() const
+  {
+    return grouping_settings_;
+  }
+
   /** \brief Number of threads, at most 1024; 0, the default, means all. */
   void
   setNumberOfThreads(unsigned int number_of_threads = 0);

@@ -9,6 +9,8 @@
 
 #include "evaluation_report.h"
 
+#include "run/csv_row.h"
+
 #include <pcl_cid/version.h>
 
 #include <algorithm>
@@ -125,62 +127,6 @@ failedOf(const EvaluationReport& report)
     failed.push_back({{"name", scan.name}, {"error", scan.error}});
   return failed;
 }
-
-/** One line of the CSV table, cell by cell. */
-class CsvRow {
-public:
-  explicit CsvRow(std::ostream& stream) : stream_(stream) {}
-
-  ~CsvRow() { stream_ << "\n"; }
-
-  CsvRow(const CsvRow&) = delete;
-  CsvRow&
-  operator=(const CsvRow&) = delete;
-
-  CsvRow&
-  operator<<(const std::string& text)
-  {
-    next();
-    if (text.find_first_of(",\"\n\r") == std::string::npos) {
-      stream_ << text;
-      return *this;
-    }
-    stream_ << '"';
-    for (const char letter : text)
-      stream_ << (letter == '"' ? "\"" : "") << letter;
-    stream_ << '"';
-    return *this;
-  }
-
-  CsvRow&
-  operator<<(std::size_t number)
-  {
-    next();
-    stream_ << number;
-    return *this;
-  }
-
-  /** An empty cell for NaN. */
-  CsvRow&
-  operator<<(double number)
-  {
-    next();
-    if (!std::isnan(number))
-      stream_ << number;
-    return *this;
-  }
-
-private:
-  void
-  next()
-  {
-    stream_ << (is_first_ ? "" : ",");
-    is_first_ = false;
-  }
-
-  std::ostream& stream_;
-  bool is_first_ = true;
-};
 
 void
 addFigures(const EvaluationFigures& figures, EvaluationProtocol protocol, CsvRow& row)

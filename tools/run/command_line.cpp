@@ -176,6 +176,35 @@ CommandLine::parse(int argc,
                    std::vector<std::string*> files,
                    const std::string& names)
 {
+  std::vector<std::string> given;
+  if (!read(argc, argv, given))
+    return false;
+  if (given.size() != files.size())
+    throw UsageError(names + " are needed, " + std::to_string(files.size()) +
+                     " file names; given: " + std::to_string(given.size()));
+  for (std::size_t i = 0; i < files.size(); ++i)
+    *files[i] = given[i];
+  return true;
+}
+
+bool
+CommandLine::parseList(int argc,
+                       const char* const* argv,
+                       std::vector<std::string>& files,
+                       const std::string& name)
+{
+  if (!read(argc, argv, files))
+    return false;
+  if (files.empty())
+    throw UsageError(name + " is needed, at least 1 file name; given: 0");
+  return true;
+}
+
+/** \param[out] given what is not an option
+ *  \return whether there is work to do */
+bool
+CommandLine::read(int argc, const char* const* argv, std::vector<std::string>& given)
+{
   if (isThere(argc, argv, {"-h", "--help"})) {
     printHelp();
     return false;
@@ -187,7 +216,6 @@ CommandLine::parse(int argc,
   po::options_description known;
   for (const po::options_description& group : groups_)
     known.add(group);
-  std::vector<std::string> given;
   known.add_options()("file", po::value<std::vector<std::string>>(&given));
   po::variables_map values;
   try {
@@ -208,11 +236,6 @@ CommandLine::parse(int argc,
   checkCombinations([&](const std::string& name) {
     return values.count(name) != 0 && !values[name].defaulted();
   });
-  if (given.size() != files.size())
-    throw UsageError(names + " are needed, " + std::to_string(files.size()) +
-                     " file names; given: " + std::to_string(given.size()));
-  for (std::size_t i = 0; i < files.size(); ++i)
-    *files[i] = given[i];
   return true;
 }
 

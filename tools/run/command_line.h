@@ -181,8 +181,19 @@ public:
         std::vector<std::string*> files,
         const std::string& names = "INPUT and OUTPUT");
 
+  /** \brief The same for any number of files, at least one.
+   *  \param[in] name what the user calls one of them */
+  bool
+  parseList(int argc,
+            const char* const* argv,
+            std::vector<std::string>& files,
+            const std::string& name);
+
 private:
   using Take = std::function<void(const std::string&)>;
+
+  bool
+  read(int argc, const char* const* argv, std::vector<std::string>& given);
 
   void
   option(const std::string& name,

@@ -24,6 +24,16 @@ Settings::numberOfSeeds(std::size_t points) const
 }
 
 void
+declareGroupingOptions(Settings& settings, CommandLine& line)
+{
+  line.setting(setting::samples, settings.samples);
+  line.setting(setting::subsample, settings.subsample);
+  line.setting(setting::random_seed, settings.random_seed);
+  line.optional(setting::start_index, settings.start_index);
+  declareRawScanOptions(settings.raw_scan, line);
+}
+
+void
 declareSeedOptions(Settings& settings, CommandLine& line)
 {
   line.group(setting::seeds.group);
@@ -33,11 +43,7 @@ declareSeedOptions(Settings& settings, CommandLine& line)
                     ", or as many as --coverage needs");
   line.optional(
       setting::coverage, settings.coverage, "with --seeds, whichever comes first");
-  line.setting(setting::samples, settings.samples);
-  line.setting(setting::subsample, settings.subsample);
-  line.setting(setting::random_seed, settings.random_seed);
-  line.optional(setting::start_index, settings.start_index);
-  declareRawScanOptions(settings.raw_scan, line);
+  declareGroupingOptions(settings, line);
 }
 
 void
@@ -51,7 +57,7 @@ declareClassTable(std::string& class_table, CommandLine& line)
 }
 
 void
-declareRunOptions(Settings& settings, CommandLine& line)
+declareReadingOptions(Settings& settings, CommandLine& line)
 {
   line.group(setting::threads.group);
   declareClassTable(settings.class_table, line);
@@ -59,7 +65,11 @@ declareRunOptions(Settings& settings, CommandLine& line)
             settings.keep_zeros,
             "10 points and more exactly at (0, 0, 0), or at the sensor, are points; "
             "without it they count as what did not return, and get label 0");
-  line.choice(label_type_setting, settings.label_type);
+}
+
+void
+declareLastOptions(Settings& settings, CommandLine& line)
+{
   line.setting(setting::threads, settings.threads);
   line.text("report",
             "FILE.json",
@@ -67,6 +77,14 @@ declareRunOptions(Settings& settings, CommandLine& line)
             "write what was done, and how long it took");
   line.flag("quiet", settings.quiet, "print nothing but errors");
   line.helpOptions();
+}
+
+void
+declareRunOptions(Settings& settings, CommandLine& line)
+{
+  declareReadingOptions(settings, line);
+  line.choice(label_type_setting, settings.label_type);
+  declareLastOptions(settings, line);
 }
 
 void
@@ -92,7 +110,16 @@ parametersOf(const Settings& settings, const CIDParameters& parameters)
 {
   std::vector<Report::Parameter> list{
       parameter(setting::seeds, parameters.getNumberOfSeeds()),
-      parameter(setting::coverage, settings.coverage),
+      parameter(setting::coverage, settings.coverage)};
+  for (Report::Parameter& each : groupingParametersOf(settings, parameters))
+    list.push_back(std::move(each));
+  return list;
+}
+
+std::vector<Report::Parameter>
+groupingParametersOf(const Settings& settings, const CIDParameters& parameters)
+{
+  std::vector<Report::Parameter> list{
       parameter(setting::samples, parameters.getNumberOfSamples()),
       parameter(setting::subsample, parameters.getSubsample()),
       parameter(setting::random_seed, parameters.getRandomSeed()),

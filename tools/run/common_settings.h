@@ -37,7 +37,7 @@ inline constexpr ChoiceSetting<LabelType, 3> label_type_setting{
     {{{"U4", LabelType::U4}, {"I4", LabelType::I4}, {"F4", LabelType::F4}}},
     "type of the label field that is written: U4, I4 or F4"};
 
-/** \brief Settings that both tools have; what is not asked for is empty. */
+/** \brief Settings that tools share; what is not asked for is empty. */
 struct Settings {
   std::string input;
   std::string output;
@@ -60,8 +60,14 @@ struct Settings {
   numberOfSeeds(std::size_t points) const;
 };
 
-/** \brief Declare the options that say how seeds are proposed, those for raw scans
- *  among them. */
+/** \brief Declare the options that say how a scan is prepared and its points are
+ *  grouped, whatever the seeds: the first ones below the headline that was begun, then
+ *  those for raw scans. */
+void
+declareGroupingOptions(Settings& settings, CommandLine& line);
+
+/** \brief Declare the options that say how many seeds are proposed, and those of
+ *  declareGroupingOptions(). */
 void
 declareSeedOptions(Settings& settings, CommandLine& line);
 
@@ -69,8 +75,16 @@ declareSeedOptions(Settings& settings, CommandLine& line);
 void
 declareClassTable(std::string& class_table, CommandLine& line);
 
-/** \brief Declare the options that stand last: class table, label type, threads,
- *  report, quiet. */
+/** \brief Begin the last headline, with what there is to say about how an input is
+ *  read. */
+void
+declareReadingOptions(Settings& settings, CommandLine& line);
+
+/** \brief Declare the options that stand last: threads, report, quiet. */
+void
+declareLastOptions(Settings& settings, CommandLine& line);
+
+/** \brief Declare both, and the label type between them. */
 void
 declareRunOptions(Settings& settings, CommandLine& line);
 
@@ -85,5 +99,9 @@ configure(const Settings& settings,
 /** \brief The settings as they were used, for the report. */
 std::vector<Report::Parameter>
 parametersOf(const Settings& settings, const CIDParameters& parameters);
+
+/** \brief The same without those that say how many seeds are proposed. */
+std::vector<Report::Parameter>
+groupingParametersOf(const Settings& settings, const CIDParameters& parameters);
 
 } // namespace pcl_cid::tools
