@@ -10,6 +10,7 @@
 #include "annotated_scan.h"
 
 #include "run/loaded_scan.h"
+#include "run/parameter.h"
 
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/exceptions.h>
@@ -67,6 +68,7 @@ annotateScan(const SimulateSettings& settings, Run& run)
   parameters.setInputCloud(scan.points.points);
   task.scan = parameters.prepare();
   task.grouping = parameters.getGroupingSettings();
+  task.clean_up = settings.clean_up;
   run.end(std::to_string(scan.points.finite) + " finite points", "prepare");
   describeDensity(task.scan->density(), run);
   describeBlindSpot(task.scan->blindSpot(), scan.points.frame, run);
@@ -80,6 +82,7 @@ annotateScan(const SimulateSettings& settings, Run& run)
   result.input = settings.input;
   result.remarks = std::exchange(run.report.remarks, {});
   result.parameters = groupingParametersOf(settings, parameters);
+  result.parameters.push_back(parameter(setting::clean_up, settings.clean_up));
   result.points = scan.cloud.size();
   result.finite = scan.points.finite;
   return result;

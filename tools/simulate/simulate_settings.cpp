@@ -82,6 +82,7 @@ declareClickOptions(SimulateSettings& settings, std::string& clicks, CommandLine
             "FIELD",
             settings.truth_field,
             "true instances; default " + settings.truth_field);
+  line.choice(setting::clean_up, settings.clean_up);
 }
 
 void

@@ -27,6 +27,9 @@ struct AnnotationTask {
   /** Not null. With a subsample, only the points that were drawn are clicked on. */
   PreparedScan::ConstPtr scan;
   GroupingSettings grouping;
+  /** Whether the annotator sees, and is scored by, labels with their boundaries mended:
+   *  see cleanBoundaries(). */
+  bool clean_up = setting::clean_up.initial;
   /** The true instance of each point of the cloud; 0 for none, which is never wrong. */
   std::vector<std::uint32_t> truth;
 };

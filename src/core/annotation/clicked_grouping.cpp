@@ -12,6 +12,7 @@
 #include "scan/working_set.h"
 
 #include "clicked_grouping.h"
+#include <pcl_cid/core/label_cleaning.h>
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
@@ -66,6 +67,7 @@ truthOfGrouped(const AnnotationTask& task)
 
 ClickedGrouping::ClickedGrouping(const AnnotationTask& task, Looks looks)
 : grouping_(requireTask(task).scan, settingsFor(task, looks == Looks::after_click))
+, clean_up_(task.clean_up)
 , cloud_truth_(truthOfGrouped(task))
 {
   const auto size = static_cast<pcl::index_t>(scan().working().size());
@@ -99,6 +101,14 @@ ClickedGrouping::updateLabels(const ExecutionOptions& execution)
   std::vector<std::uint32_t> label_of_seed;
   for (const pcl::index_t seed : grouping_.seeds())
     label_of_seed.push_back(cloud_truth_[static_cast<std::size_t>(seed)]);
+  if (clean_up_) {
+    const std::vector<std::uint32_t> cleaned =
+        cleanBoundaries(grouping_, label_of_seed, {}, execution);
+    for (std::size_t i = 0; i < labels_.size(); ++i)
+      labels_[i] = cleaned[static_cast<std::size_t>(
+          scan().workingSet().cloudIndexOf(static_cast<pcl::index_t>(i)))];
+    return;
+  }
   const std::vector<pcl::index_t> group = grouping_.groupsOfWorkingPoints(execution);
   for (std::size_t i = 0; i < group.size(); ++i)
     labels_[i] = label_of_seed[static_cast<std::size_t>(group[i])];

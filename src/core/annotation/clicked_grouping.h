@@ -87,6 +87,7 @@ private:
   updateLabels(const ExecutionOptions& execution);
 
   Grouping grouping_;
+  bool clean_up_;
   std::vector<std::uint32_t> cloud_truth_; ///< of all points; 0 for those left out
   std::vector<std::uint32_t> truth_;
   std::vector<std::uint32_t> labels_;

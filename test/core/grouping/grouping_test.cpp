@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "cid/working_points.h"
 #include "clouds.h"
+#include "grouping/connected_groups.h"
 #include "prepared_points.h"
 #include "scan/working_set.h"
 
@@ -123,31 +124,32 @@ public:
   : scan_(grouping.scan())
   , points_(scan_.working().points())
   , samples_(grouping.settings().samples)
+  , seeds_(grouping.seeds())
   , group_(points_.size(), -1)
   , cid_(points_.size(), nan)
   {
-    const pcl::Indices seeds = grouping.seeds();
-    for (std::size_t k = 0; k < seeds.size(); ++k) {
-      const auto seed = static_cast<std::size_t>(scan_.workingIndex(seeds[k], "seed"));
+    for (std::size_t k = 0; k < seeds_.size(); ++k) {
+      const auto seed = static_cast<std::size_t>(scan_.workingIndex(seeds_[k], "seed"));
       for (std::size_t i = 0; i < points_.size(); ++i)
         if (const float cost = costOf(seed, i); k == 0 || cost < cid_[i]) {
           cid_[i] = cost;
           group_[i] = static_cast<pcl::index_t>(k);
         }
     }
-    for (std::size_t k = 0; k < seeds.size(); ++k) // whatever it costs
-      group_[static_cast<std::size_t>(scan_.workingIndex(seeds[k], "seed"))] =
+    for (std::size_t k = 0; k < seeds_.size(); ++k) // whatever it costs
+      group_[static_cast<std::size_t>(scan_.workingIndex(seeds_[k], "seed"))] =
           static_cast<pcl::index_t>(k);
+    connect();
   }
 
   State
-  state(const pcl::Indices& seeds) const
+  state() const
   {
-    float coverage = seeds.empty() ? nan : 0.0f;
+    float coverage = seeds_.empty() ? nan : 0.0f;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (!seeds.empty() && !isIn(scan_.isolated(), i))
+      if (!seeds_.empty() && !isIn(scan_.isolated(), i))
         coverage = std::max(coverage, cid_[i]);
-    return {seeds,
+    return {seeds_,
             scan_.workingSet().carryOn(group_, scan_.cloudSize(), pcl::index_t{-1}),
             scan_.workingSet().carryOn(cid_, scan_.cloudSize(), nan),
             coverage};
@@ -168,6 +170,20 @@ public:
   }
 
 private:
+  /** By the same function: connected_groups_test.cpp has a literal search for it. */
+  void
+  connect()
+  {
+    if (!scan_.graph())
+      return;
+    Progress silent(nullptr);
+    pcl::Indices seeds;
+    for (const pcl::index_t seed : seeds_)
+      seeds.push_back(scan_.workingIndex(seed, "seed"));
+    group_ = connectGroups(
+        scan_.working(), *scan_.graph(), samples_, seeds, std::move(group_), 1, silent);
+  }
+
   static bool
   isIn(const pcl::Indices& indices, std::size_t i)
   {
@@ -194,6 +210,7 @@ private:
   const PreparedScan& scan_;
   const Points& points_;
   int samples_;
+  pcl::Indices seeds_;
   std::vector<pcl::index_t> group_;
   std::vector<float> cid_;
 };
@@ -201,7 +218,7 @@ private:
 void
 expectEqualsAllPairs(const Grouping& grouping)
 {
-  expectSame(stateOf(grouping), AllPairs(grouping).state(grouping.seeds()));
+  expectSame(stateOf(grouping), AllPairs(grouping).state());
 }
 
 /** Seeds come and go at random; what is done is checked on the way. */
