@@ -44,12 +44,11 @@ normalOf(const Eigen::Matrix3d& spread)
   solver.computeDirect(spread / size);
   if (!(solver.eigenvalues()[1] > flat))
     return Eigen::Vector3f::Zero();
-  Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  Eigen::Index largest = 0;
+  const Eigen::Vector3f normal =
+      solver.eigenvectors().col(0).normalized().cast<float>();
+  Eigen::Index largest = 0; // the first of equal ones
   normal.cwiseAbs().maxCoeff(&largest);
-  if (normal[largest] < 0.0)
-    normal = -normal;
-  return normal.normalized().cast<float>();
+  return normal[largest] < 0.0f ? Eigen::Vector3f(-normal) : normal;
 }
 
 } // namespace
