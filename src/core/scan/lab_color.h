@@ -26,8 +26,9 @@ Eigen::Vector3f
 labOf(const ColorRGB& color);
 
 /** \brief L*a*b* of each point, as the mean over itself and its near neighbors: a
- * sensor's colors are noisy, and most surfaces span more than nine points. \param[in]
- * colors of the points \param[in] neighbors of the points */
+ *  sensor's colors are noisy, and most surfaces span more than nine points.
+ *  \param[in] colors of the points
+ *  \param[in] neighbors of the points */
 std::vector<Eigen::Vector3f>
 smoothLab(const std::vector<ColorRGB>& colors, const NearestNeighbors& neighbors);
 
