@@ -47,13 +47,7 @@ CIDParameters::setNumberOfThreads(unsigned int number_of_threads)
 ExecutionOptions
 CIDParameters::execution(double begin, double end) const
 {
-  ExecutionOptions options;
-  options.threads = number_of_threads_;
-  if (progress_)
-    options.progress = [callback = progress_, begin, end](double fraction) {
-      return callback(begin + (end - begin) * fraction);
-    };
-  return options;
+  return partOf({number_of_threads_, progress_}, begin, end);
 }
 
 void

@@ -372,7 +372,7 @@ TEST(CIDSampler, AllForRawScansIsWhatTheCoreMakesOfIt)
   const NearestNeighbors neighbors(points, {});
   PairCosts costs;
   costs.spacing = localSpacing(neighbors, 0.5f);
-  costs.cues = {{Cue::Measure::distance, smoothLab(*sampler.getColors(), neighbors)}};
+  costs.cues = {{Cue::Property::color, smoothLab(*sampler.getColors(), neighbors)}};
   for (Eigen::Vector3f& color : costs.cues.front().values)
     color *= 0.001f;
   SeedProposalOptions options = as_sampled;

@@ -132,8 +132,9 @@ public:
     return preparation_.normals;
   }
 
-  /** \brief Whether groups are made connected: a piece of a group that its seed is not
-   *  on goes to a group next to it. Off by default, as in the paper. */
+  /** \brief Whether groups are made connected: a piece of a group that does not hang
+   *  together with its seed goes to a group next to it. Off by default, as in the
+   * paper. */
   void
   setConnectedGroups(bool connected_groups);
 

@@ -10,10 +10,7 @@
 #include "colored_room.h"
 
 #include <array>
-#include <optional>
 #include <utility>
-
-#include <pcl_cid/exceptions.h>
 
 #include "furniture_paint.h"
 #include "painted_pieces.h"
@@ -24,8 +21,6 @@
 namespace pcl_cid::test {
 namespace {
 
-/** Furnished rooms to draw before the seed counts as hopeless. */
-constexpr int furnishing_attempts = 100;
 /** Places to try for a thing before the room goes without it. */
 constexpr int place_attempts = 200;
 /** Nothing stands nearer than this before what is on a wall, which would be hidden. */
@@ -60,18 +55,6 @@ drawFurnishing(RandomGenerator& generator)
   room.chairs = drawCount(generator, 2, 4);
   room.clutter = drawCount(generator, 3, 8);
   return room;
-}
-
-RoomScene
-drawFurnishedRoom(RandomGenerator& generator, std::uint64_t seed)
-{
-  for (int attempt = 0; attempt < furnishing_attempts; ++attempt)
-    if (const std::optional<RoomScene> scene =
-            drawLayout(drawFurnishing(generator), generator))
-      return *scene;
-  throw CIDException("none of the colored rooms drawn from seed " +
-                     std::to_string(seed) +
-                     " has place for its furniture; allowed is any other seed");
 }
 
 /** Adds thing after thing; what finds no place is left out. */
@@ -184,7 +167,8 @@ private:
     const PaintedPiece door = makeFlushDoor(generator_);
     if (!tryOnWalls(door, RoomClass::door, "flush door", free_before_door))
       return;
-    Primitive way_in = room_.scene().primitives[room_.scene().primitives.size() - 2];
+    const std::vector<Primitive>& all = room_.scene().primitives;
+    Primitive way_in = all[all.size() - door.piece.primitives.size()]; // the leaf
     way_in.half.y() = free_before_door;
     way_in.half.z() -= 0.01;
     room_.keepFree(way_in);
@@ -254,10 +238,11 @@ private:
   drawLamps()
   {
     std::vector<Eigen::Vector3d> lamps;
-    for (const double part : {0.25, 0.75})
-      lamps.emplace_back(size_.x() * (part + drawWithin(generator_, {-0.1, 0.1})),
-                         size_.y() * drawWithin(generator_, {0.3, 0.7}),
-                         size_.z() - 0.3);
+    for (const double part : {0.25, 0.75}) { // one by one: arguments have no order
+      const double y = size_.y() * drawWithin(generator_, {0.3, 0.7});
+      const double x = size_.x() * (part + drawWithin(generator_, {-0.1, 0.1}));
+      lamps.emplace_back(x, y, size_.z() - 0.3);
+    }
     return lamps;
   }
 
@@ -275,7 +260,7 @@ ColoredRoom
 makeColoredRoom(std::uint64_t seed)
 {
   RandomGenerator generator(seed);
-  return RoomDecorator(drawFurnishedRoom(generator, seed), generator).decorate();
+  return RoomDecorator(drawRoom(drawFurnishing, generator, seed), generator).decorate();
 }
 
 } // namespace pcl_cid::test

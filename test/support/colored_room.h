@@ -33,8 +33,9 @@ struct ColoredRoom {
 
 /** \brief A furnished room of 12 to 25 square metres with posters and papers on its
  *  walls, rugs on its floor, doors flush with walls, curtains, books side by side in
- * its bookcases, and people: as many of what is drawn as find a free place, each an
- *  instance of its own. As in makeRoom(), nothing interpenetrates.
+ *  its bookcases, and people: as many of what is drawn as find a free place, each an
+ *  instance of its own. As in makeRoom(), nothing interpenetrates; but a flush door may
+ *  cover a part of a window.
  *  \return the same for the same seed, on every machine
  *  \throw CIDException when no draw was a room with place for its furniture */
 ColoredRoom

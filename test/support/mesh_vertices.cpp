@@ -13,7 +13,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <tuple>
+
+#include <pcl_cid/exceptions.h>
 
 #include "even_sampler.h"
 #include "scan_selection.h"
@@ -179,6 +182,10 @@ sampleMeshVertices(const RoomScene& scene, std::size_t count, std::uint64_t seed
     fine = width;
     kept = std::move(first);
   }
+  if (kept.size() < count)
+    throw CIDException(std::to_string(count) +
+                       " mesh vertices are more than the room has places for; allowed "
+                       "are fewer");
   RandomGenerator generator(seed);
   thin(kept, count, generator);
   return selected(dense, kept);

@@ -74,9 +74,9 @@ namespace {
 
 /** A cue by its formula. */
 double
-difference(Cue::Measure measure, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+difference(Cue::Property property, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  if (measure == Cue::Measure::distance)
+  if (property == Cue::Property::color)
     return (a - b).norm();
   // |a|^2 + |b|^2 is the weight, where neither is 0.
   return a.squaredNorm() + b.squaredNorm() - 2.0 * std::abs(a.dot(b));
@@ -97,7 +97,7 @@ Oracle::pointCost(const Points& points,
   if (costs)
     for (const Cue& cue : costs->cues)
       cost += difference(
-          cue.measure, cue.values[p].cast<double>(), cue.values[q].cast<double>());
+          cue.property, cue.values[p].cast<double>(), cue.values[q].cast<double>());
   return cost;
 }
 

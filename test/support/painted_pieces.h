@@ -32,7 +32,7 @@ makePaper(RandomGenerator& generator);
 PaintedPiece
 makeFlushDoor(RandomGenerator& generator);
 
-/** \brief A sheet in folds, 0.03 to 0.15 m before the wall y = 0, that hangs from a rod
+/** \brief A sheet in folds, 0.04 to 0.13 m before the wall y = 0, that hangs from a rod
  *  at \a top almost to the floor. */
 PaintedPiece
 makeCurtain(RandomGenerator& generator, double top);

@@ -13,6 +13,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
+
+#include <pcl_cid/exceptions.h>
 
 #include "furniture.h"
 #include "room_builder.h"
@@ -382,6 +385,20 @@ std::optional<RoomScene>
 drawLayout(const RoomOptions& options, RandomGenerator& generator)
 {
   return RoomLayout(options, generator).draw();
+}
+
+RoomScene
+drawRoom(RoomOptions (*draw_options)(RandomGenerator&),
+         RandomGenerator& generator,
+         std::uint64_t seed)
+{
+  constexpr int attempts = 100;
+  for (int attempt = 0; attempt < attempts; ++attempt)
+    if (const std::optional<RoomScene> scene =
+            drawLayout(draw_options(generator), generator))
+      return *scene;
+  throw CIDException("none of the rooms drawn from seed " + std::to_string(seed) +
+                     " has place for what is in it; allowed is any other seed");
 }
 
 } // namespace pcl_cid::test

@@ -22,4 +22,14 @@ namespace pcl_cid::test {
 std::optional<RoomScene>
 drawLayout(const RoomOptions& options, RandomGenerator& generator);
 
+/** \brief The first room drawn that has place for what is in it.
+ *  \param[in] draw_options what the rooms may be like
+ *  \param[in,out] generator where all draws come from
+ *  \param[in] seed of the generator, for the complaint
+ *  \throw CIDException when a hundred rooms had no place */
+RoomScene
+drawRoom(RoomOptions (*draw_options)(RandomGenerator&),
+         RandomGenerator& generator,
+         std::uint64_t seed);
+
 } // namespace pcl_cid::test

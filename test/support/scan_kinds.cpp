@@ -147,8 +147,9 @@ scanAndMerge(const RoomScene& scene, std::size_t points, std::uint64_t seed)
     kept.insert(kept.end(), own.begin(), own.end());
   }
   if (kept.size() < points)
-    throw CIDException("the scans to merge see " + std::to_string(kept.size()) +
-                       " points of the room; allowed are rooms with several free "
+    throw CIDException("the scans to merge give " + std::to_string(kept.size()) +
+                       " points of the " + std::to_string(points) +
+                       " asked for; allowed are rooms with several free "
                        "places for the sensor");
   return selected(all, kept);
 }

@@ -44,12 +44,12 @@ struct ScanErrors {
   double noise = 0.0;
   double per_square = 0.0;
   /// Standard deviation of each axis of the shift of a position's scan, in metres; it
-  /// is turned about z by up to this / 2 m as well.
+  /// is turned about z by up to half as many radians as well.
   double misalignment = 0.0;
   /// Standard deviation of each channel of a color, of 255.
   double color_noise = 0.0;
-  /// Each position's colors are brightened by up to this share, and each of its
-  /// channels by up to half of it.
+  /// Each position's colors are brightened or darkened by up to this share, and each of
+  /// its channels by up to half of it.
   double exposure = 0.0;
 };
 

@@ -112,12 +112,4 @@ inputsOf(const EvaluateSettings& settings, const std::vector<ScanPair>& pairs)
   return inputs;
 }
 
-void
-announceOutputs(const EvaluateSettings& settings, OutputFiles& outputs)
-{
-  for (const std::string& path : {settings.report, settings.csv})
-    if (!path.empty())
-      outputs.announce(path);
-}
-
 } // namespace pcl_cid::tools

@@ -51,8 +51,4 @@ readCommandLine(int argc, const char* const* argv, EvaluateSettings& settings);
 std::vector<std::string>
 inputsOf(const EvaluateSettings& settings, const std::vector<ScanPair>& pairs);
 
-/** \brief Announce all that will be written. */
-void
-announceOutputs(const EvaluateSettings& settings, OutputFiles& outputs);
-
 } // namespace pcl_cid::tools

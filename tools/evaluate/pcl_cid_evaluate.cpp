@@ -12,6 +12,7 @@
 #include "run/console.h"
 #include "run/interruption.h"
 #include "run/run.h"
+#include "run/score_files.h"
 #include "run/words.h"
 #include "scan_pairs.h"
 #include "scoring.h"
@@ -92,18 +93,6 @@ print(const EvaluationReport& report,
   console.value("Mean IoU of the truth instances", shortNumber(report.pooled.mean_iou));
 }
 
-void
-save(const EvaluateSettings& settings,
-     const EvaluationReport& report,
-     OutputFiles& outputs)
-{
-  if (!settings.report.empty())
-    outputs.write(settings.report, [&](std::ostream& s) { s << toJson(report); });
-  if (!settings.csv.empty())
-    outputs.write(settings.csv, [&](std::ostream& s) { s << toCsv(report); });
-  outputs.commit();
-}
-
 /** The end of a run in which scans failed. */
 void
 requireNoFailure(const EvaluationReport& report)
@@ -125,12 +114,12 @@ evaluateAll(const EvaluateSettings& settings)
   const std::vector<ScanPair> pairs =
       pairScans(settings.prediction, settings.truth, settings.partial);
   ToolOutputs outputs(inputsOf(settings, pairs));
-  announceOutputs(settings, outputs);
+  announceScores(settings, outputs);
   Scoring scoring(settings, console);
   scoreAll(pairs, scoring);
   const EvaluationReport& report = scoring.finish();
   print(report, settings, console);
-  save(settings, report, outputs);
+  saveScores(settings, report, outputs);
   requireNoFailure(report);
 }
 

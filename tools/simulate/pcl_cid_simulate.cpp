@@ -9,6 +9,7 @@
 
 #include "annotated_scan.h"
 #include "run/run.h"
+#include "run/score_files.h"
 #include "simulate_settings.h"
 #include "simulation_report.h"
 
@@ -20,21 +21,10 @@ using namespace pcl_cid;
 using namespace pcl_cid::tools;
 
 void
-save(const SimulationReport& report, OutputFiles& outputs)
-{
-  const SimulateSettings& settings = report.settings;
-  if (!settings.report.empty())
-    outputs.write(settings.report, [&](std::ostream& s) { s << toJson(report); });
-  if (!settings.csv.empty())
-    outputs.write(settings.csv, [&](std::ostream& s) { s << toCsv(report); });
-  outputs.commit();
-}
-
-void
 simulate(const SimulateSettings& settings)
 {
   Run run(simulate_tool, settings.quiet, inputsOf(settings));
-  announceOutputs(settings, run.outputs);
+  announceScores(settings, run.outputs);
   SimulationReport report{settings, {}};
   for (const std::string& scan : settings.scans)
     report.scans.push_back(annotateScan(settings.withInput(scan), run));
@@ -42,7 +32,7 @@ simulate(const SimulateSettings& settings)
     printTable(std::cout, report);
     std::cout << std::flush;
   }
-  save(report, run.outputs);
+  saveScores(settings, report, run.outputs);
 }
 
 } // namespace

@@ -136,12 +136,4 @@ inputsOf(const SimulateSettings& settings)
   return inputs;
 }
 
-void
-announceOutputs(const SimulateSettings& settings, OutputFiles& outputs)
-{
-  for (const std::string& path : {settings.report, settings.csv})
-    if (!path.empty())
-      outputs.announce(path);
-}
-
 } // namespace pcl_cid::tools

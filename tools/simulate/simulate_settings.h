@@ -79,8 +79,4 @@ readCommandLine(int argc, const char* const* argv, SimulateSettings& settings);
 std::vector<std::string>
 inputsOf(const SimulateSettings& settings);
 
-/** \brief Announce all that will be written. */
-void
-announceOutputs(const SimulateSettings& settings, OutputFiles& outputs);
-
 } // namespace pcl_cid::tools

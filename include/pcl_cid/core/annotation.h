@@ -68,9 +68,9 @@ annotateProposals(const AnnotationTask& task,
  *  A point that is a seed has its true label and is never wrong, so none is clicked on
  *  twice, and all is right after at most as many clicks as there are points.
  *  \param[in] proposals clicks that Algorithm 1 proposes before the others; 0 for none
- *  \note Cost: each click that of Grouping::addSeeds(), and linear in the points but
- *  for the search of the point to click on, which is about N log N. About 150 bytes a
- *  point.
+ *  \note Cost: each click that of Grouping::addSeeds(), with `clean_up` that of
+ *  cleanBoundaries(), and linear in the points but for the search of the point to click
+ *  on, which is about N log N. About 150 bytes a point.
  *  \see annotateProposals() for the rest */
 PCL_CID_EXPORT std::vector<AnnotationState>
 annotateCorrections(const AnnotationTask& task,

@@ -28,4 +28,17 @@ struct ExecutionOptions {
   ProgressCallback progress;
 };
 
+/** \brief How to run one step of a work: its fractions 0 to 1 are those from \a begin
+ * to \a end of the whole. */
+inline ExecutionOptions
+partOf(const ExecutionOptions& execution, double begin, double end)
+{
+  ExecutionOptions part{execution.threads, {}};
+  if (execution.progress)
+    part.progress = [whole = execution.progress, begin, end](double fraction) {
+      return whole(begin + (end - begin) * fraction);
+    };
+  return part;
+}
+
 } // namespace pcl_cid

@@ -199,8 +199,8 @@ inline constexpr NumberSetting<float> normals{
 inline constexpr ChoiceSetting<bool, 2> connected{
     "Raw scans", "connected", "WHEN", false,
     {{{"on", true}, {"off", false}}},
-    "pieces of a group that its seed is not on go to a group next to them: on or off "
-    "(the paper)"};
+    "a piece of a group that does not hang together with its seed goes to a group next "
+    "to it: on or off (the paper)"};
 
 inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "Raw scans", "blind_spot", "WHEN", true,

@@ -53,7 +53,7 @@ public:
   , threads_(execution.threads)
   , graph_(
         clicked.scan().working().points(), clicked.scan().working().tree(), execution)
-  , inmost_points_(clicked.scan().working().tree())
+  , inmost_points_(clicked.scan().working().points(), clicked.scan().working().tree())
   {
   }
 
@@ -68,7 +68,8 @@ public:
             : largestConnectedWrongRegion(graph_, clicked_.truth(), clicked_.labels());
     if (region.empty())
       return false;
-    clicked_.click({inmost_points_.of({region}, threads_).front().point}, threads_);
+    clicked_.click({inmost_points_.of({region}, threads_).front().point},
+                   {threads_, {}});
     return true;
   }
 
@@ -89,10 +90,11 @@ annotateProposals(const AnnotationTask& task,
   requireCounts(counts);
   ClickedGrouping clicked(task, ClickedGrouping::Looks::rare);
   std::vector<AnnotationState> states;
+  double done = 0.0; // of the progress
   for (const std::size_t count : counts) {
-    clicked.propose(
-        count,
-        partOf(execution, share(clicked.clicks(), counts), share(count, counts)));
+    const double end = share(count, counts);
+    clicked.propose(count, partOf(execution, done, end));
+    done = end;
     states.push_back(clicked.state());
   }
   return states;
@@ -106,17 +108,20 @@ annotateCorrections(const AnnotationTask& task,
 {
   requireCounts(counts);
   ClickedGrouping clicked(task, ClickedGrouping::Looks::after_click);
-  Corrections corrections(clicked, {execution.threads, {}});
+  Corrections corrections(clicked, partOf(execution, 0.0, 0.0));
   Progress progress(execution.progress);
   std::vector<AnnotationState> states;
+  double done = 0.0; // of the progress
   for (const std::size_t count : counts) {
-    if (const std::size_t proposed = std::min(count, proposals);
-        clicked.clicks() < proposed)
-      clicked.propose(
-          proposed,
-          partOf(execution, share(clicked.clicks(), counts), share(proposed, counts)));
-    while (count > proposals && clicked.clicks() < count && corrections.click())
-      progress.check(share(clicked.clicks(), counts));
+    const std::size_t proposed = std::min(count, proposals);
+    if (clicked.clicks() < proposed) {
+      const double end = share(proposed, counts);
+      clicked.propose(proposed, partOf(execution, done, end));
+      done = end;
+    }
+    while (clicked.clicks() < count && corrections.click())
+      progress.check(std::max(done, share(clicked.clicks(), counts)));
+    done = std::max(done, share(clicked.clicks(), counts));
     states.push_back(clicked.state());
   }
   return states;

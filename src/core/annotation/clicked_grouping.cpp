@@ -77,22 +77,21 @@ ClickedGrouping::ClickedGrouping(const AnnotationTask& task, Looks looks)
   labels_.assign(truth_.size(), 0);
 }
 
-bool
+void
 ClickedGrouping::propose(std::size_t seeds, const ExecutionOptions& execution)
 {
-  const bool found = grouping_.propose(seeds, 0.0f, execution) == ProposalStop::seeds;
+  grouping_.propose(seeds, 0.0f, execution);
   updateLabels({execution.threads, {}});
-  return found;
 }
 
 void
-ClickedGrouping::click(const pcl::Indices& points, unsigned int threads)
+ClickedGrouping::click(const pcl::Indices& points, const ExecutionOptions& execution)
 {
   pcl::Indices seeds;
   for (const pcl::index_t point : points)
     seeds.push_back(scan().workingSet().cloudIndexOf(point));
-  grouping_.addSeeds(seeds, {threads, {}});
-  updateLabels({threads, {}});
+  grouping_.addSeeds(seeds, execution);
+  updateLabels({execution.threads, {}});
 }
 
 void
@@ -126,17 +125,6 @@ ClickedGrouping::state(const std::vector<std::uint32_t>& labels) const
     if (truth.label[i] == 0) // nobody can tell whether its label is right
       prediction.label[i] = 0;
   return {clicks(), sameLabelOverlaps(overlapsOf(prediction, truth))};
-}
-
-ExecutionOptions
-partOf(const ExecutionOptions& execution, double begin, double end)
-{
-  ExecutionOptions part{execution.threads, {}};
-  if (execution.progress)
-    part.progress = [&callback = execution.progress, begin, end](double fraction) {
-      return callback(begin + (end - begin) * fraction);
-    };
-  return part;
 }
 
 } // namespace pcl_cid

@@ -61,15 +61,16 @@ public:
     return grouping_.numberOfSeeds();
   }
 
-  /** \brief Let Algorithm 1 propose where to click.
+  /** \brief Let Algorithm 1 propose where to click, as far as there is anything left.
    *  \param[in] seeds all in all
-   *  \return whether there are as many */
-  bool
+   *  \throws CIDCancelled */
+  void
   propose(std::size_t seeds, const ExecutionOptions& execution);
 
-  /** \brief Click on points, none of which is a seed. */
+  /** \brief Click on points, none of which is a seed.
+   *  \throws CIDCancelled */
   void
-  click(const pcl::Indices& points, unsigned int threads);
+  click(const pcl::Indices& points, const ExecutionOptions& execution);
 
   /** \brief The state with the labels that there are. */
   AnnotationState
@@ -92,9 +93,5 @@ private:
   std::vector<std::uint32_t> truth_;
   std::vector<std::uint32_t> labels_;
 };
-
-/** \brief Threads, and a callback that is told fractions from \a begin to \a end. */
-ExecutionOptions
-partOf(const ExecutionOptions& execution, double begin, double end);
 
 } // namespace pcl_cid

@@ -16,20 +16,12 @@
 
 namespace pcl_cid {
 
-InmostPoints::InmostPoints(const BlockTree& tree)
-: tree_(tree), region_of_node_(2 * tree.size(), several)
+InmostPoints::InmostPoints(const Points& points, const BlockTree& tree)
+: points_(points)
+, tree_(tree)
+, region_(points.size())
+, region_of_node_(2 * tree.size(), several)
 {
-  std::size_t points = 0;
-  for (std::size_t number = 0; number < tree.size(); ++number)
-    points += static_cast<std::size_t>(tree.block(number).count);
-  slot_.resize(points);
-  region_.resize(points);
-  for (std::size_t number = 0; number < tree.size(); ++number) {
-    const PointBlock& block = tree.block(number);
-    for (int row = 0; row < block.count; ++row)
-      slot_[static_cast<std::size_t>(block.index[row])] =
-          number * PointBlock::capacity + static_cast<std::size_t>(row);
-  }
 }
 
 std::vector<InmostPoint>
@@ -79,8 +71,7 @@ InmostPoints::inmostOf(const pcl::Indices& region) const
   const std::int32_t own = region_[static_cast<std::size_t>(region.front())];
   InmostPoint best;
   for (const pcl::index_t point : region) {
-    const std::size_t slot = slot_[static_cast<std::size_t>(point)];
-    const Eigen::Array4f p = padded(tree_.position(static_cast<std::int32_t>(slot)));
+    const Eigen::Array4f p = padded(points_[static_cast<std::size_t>(point)]);
     float nearest = std::numeric_limits<float>::infinity();
     descend(1, p, own, best.squared_distance, nearest);
     if (nearest > best.squared_distance)

@@ -32,12 +32,13 @@ struct InmostPoint {
  *  whether all of its points are in one region, which a search then passes over. */
 class InmostPoints {
 public:
-  /** \param[in] tree must outlive this */
-  explicit InmostPoints(const BlockTree& tree);
+  /** \param[in] points must outlive this
+   *  \param[in] tree of these points; must outlive this */
+  InmostPoints(const Points& points, const BlockTree& tree);
 
   /** \brief That of each region.
    *  \param[in] regions disjoint, none empty, each ascending; points by their index
-   *  among those that the tree was built from
+   *  among all
    *  \note Cost: about N log N. */
   std::vector<InmostPoint>
   of(const std::vector<pcl::Indices>& regions, unsigned int threads);
@@ -68,8 +69,8 @@ private:
        std::int32_t own,
        float& nearest) const;
 
+  const Points& points_;
   const BlockTree& tree_;
-  std::vector<std::size_t> slot_;            ///< in the tree, by point
   std::vector<std::int32_t> region_;         ///< by point; 0 for none
   std::vector<std::int32_t> region_of_node_; ///< or several
 };

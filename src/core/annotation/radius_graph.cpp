@@ -69,7 +69,7 @@ RadiusGraph::RadiusGraph(const Points& points,
                          const ExecutionOptions& execution)
 : earlier_(points.size())
 {
-  const std::vector<float> radius = squaredRadii(points, {execution.threads, {}});
+  const std::vector<float> radius = squaredRadii(points, partOf(execution, 0.0, 0.5));
   Progress progress(execution.progress);
   const auto connect = [&](std::size_t begin, std::size_t end) {
     pcl::Indices earlier;
@@ -87,7 +87,7 @@ RadiusGraph::RadiusGraph(const Points& points,
               points_at_a_time,
               threadCount(execution.threads),
               progress,
-              {0.0, 1.0},
+              {0.5, 1.0},
               connect);
 }
 

@@ -22,7 +22,8 @@ namespace pcl_cid {
 /** \brief The points as a graph: two are neighbors when each is within two local
  *  spacings of the other. The local spacing is the distance to the eighth place (see
  *  NearestNeighbors), so the graph follows the density, and a stray point joins
- *  nothing that is dense. */
+ *  nothing that is dense. Unlike SurfaceGraph, which has a dozen edges a point, it is
+ *  what others measure clicks with: all within a radius. */
 class RadiusGraph {
 public:
   /** \param[in] points finite, metres

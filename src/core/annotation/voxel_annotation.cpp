@@ -78,10 +78,9 @@ public:
   , voxels_(findVoxels(clicked.scan().working().points(), side))
   , truth_(valuesAt(voxels_.first, clicked.truth()))
   , silent_({})
-  , tree_(valuesAt(voxels_.first, clicked.scan().working().points()),
-          threadCount(threads),
-          silent_)
-  , inmost_points_(tree_)
+  , points_(valuesAt(voxels_.first, clicked.scan().working().points()))
+  , tree_(points_, threadCount(threads), silent_)
+  , inmost_points_(points_, tree_)
   {
   }
 
@@ -96,18 +95,18 @@ public:
     return found;
   }
 
-  /** Click in each region.
-   *  \return whether there is one */
-  bool
-  clickAll()
+  /** Click in each region. */
+  void
+  clickAll(const ExecutionOptions& execution)
   {
     pcl::Indices points;
     for (const InmostPoint& target : targets())
       points.push_back(target.point);
-    return click(points);
+    clicked_.click(points, execution);
   }
 
-  /** Click in the largest region. */
+  /** Click in the largest region.
+   *  \return whether there is one */
   bool
   clickLargest()
   {
@@ -117,7 +116,10 @@ public:
           (target.squared_distance == largest.squared_distance &&
            target.point < largest.point))
         largest = target;
-    return click(largest.point < 0 ? pcl::Indices() : pcl::Indices{largest.point});
+    if (largest.point < 0)
+      return false;
+    clicked_.click({largest.point}, {threads_, {}});
+    return true;
   }
 
   /** With the labels of voxels on all of their points. */
@@ -133,19 +135,12 @@ public:
   }
 
 private:
-  bool
-  click(const pcl::Indices& points)
-  {
-    if (!points.empty())
-      clicked_.click(points, threads_);
-    return !points.empty();
-  }
-
   ClickedGrouping& clicked_;
   unsigned int threads_;
   Voxels voxels_;
   Labels truth_; ///< of voxels
   Progress silent_;
+  Points points_; ///< of voxels
   BlockTree tree_;
   InmostPoints inmost_points_;
 };
@@ -161,7 +156,7 @@ annotateVoxels(const AnnotationTask& task,
   ClickedGrouping clicked(task, ClickedGrouping::Looks::after_click);
   VoxelAnnotator annotator(clicked, options.voxel, execution.threads);
   Progress progress(execution.progress);
-  annotator.clickAll();
+  annotator.clickAll(partOf(execution, 0.0, 0.0));
   std::vector<AnnotationState> states{annotator.state()};
   const std::size_t budget =
       options.clicks_per_instance * states.front().overlaps.truths.size();

@@ -9,9 +9,10 @@
 
 #include "wrong_regions.h"
 
+#include "base/joined_sets.h"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace pcl_cid {
@@ -23,49 +24,21 @@ isWrong(std::uint32_t truth, std::uint32_t label)
   return truth != 0 && truth != label;
 }
 
-/** Sets of points that grow together; each is known by its lowest index. */
-class JoinedPoints {
-public:
-  explicit JoinedPoints(std::size_t size) : parent_(size)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t
-  first(std::size_t point)
-  {
-    while (parent_[point] != point) {
-      parent_[point] = parent_[parent_[point]];
-      point = parent_[point];
-    }
-    return point;
-  }
-
-  void
-  join(std::size_t a, std::size_t b)
-  {
-    const auto [low, high] = std::minmax({first(a), first(b)});
-    parent_[high] = low;
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
-JoinedPoints
-joinWrong(const RadiusGraph& graph, const Labels& truth, const Labels& labels)
+/** The connected region of each point that is wrong, by its lowest point. */
+std::vector<std::uint32_t>
+connectedRegions(const RadiusGraph& graph, const Labels& truth, const Labels& labels)
 {
-  JoinedPoints joined(truth.size());
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (!isWrong(truth[i], labels[i]))
-      continue;
-    for (const pcl::index_t neighbor : graph.earlierNeighbors(i)) {
-      const auto j = static_cast<std::size_t>(neighbor);
-      if (truth[j] == truth[i] && labels[j] == labels[i])
-        joined.join(i, j);
+  return joinedSets(truth.size(), [&](const auto& join) {
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (!isWrong(truth[i], labels[i]))
+        continue;
+      for (const pcl::index_t neighbor : graph.earlierNeighbors(i)) {
+        const auto j = static_cast<std::size_t>(neighbor);
+        if (truth[j] == truth[i] && labels[j] == labels[i])
+          join(i, j);
+      }
     }
-  }
-  return joined;
+  });
 }
 
 } // namespace
@@ -88,18 +61,18 @@ largestConnectedWrongRegion(const RadiusGraph& graph,
                             const Labels& truth,
                             const Labels& labels)
 {
-  JoinedPoints joined = joinWrong(graph, truth, labels);
+  const std::vector<std::uint32_t> regions = connectedRegions(graph, truth, labels);
   std::vector<std::size_t> size(truth.size(), 0);
   for (std::size_t i = 0; i < truth.size(); ++i)
     if (isWrong(truth[i], labels[i]))
-      ++size[joined.first(i)];
+      ++size[regions[i]];
   pcl::Indices region;
   const auto largest = std::max_element(size.begin(), size.end());
   if (largest == size.end() || *largest == 0)
     return region;
   const auto first = static_cast<std::size_t>(largest - size.begin());
   for (std::size_t i = first; i < truth.size(); ++i)
-    if (joined.first(i) == first)
+    if (regions[i] == first)
       region.push_back(static_cast<pcl::index_t>(i));
   return region;
 }

@@ -40,18 +40,6 @@ requireUsable(const CleaningSettings& settings)
   require(cleaning_setting::most_cycles, settings.most_cycles);
 }
 
-/** The progress of a step is this share of the whole. */
-ExecutionOptions
-share(const ExecutionOptions& execution, double begin, double end)
-{
-  ExecutionOptions part{execution.threads, {}};
-  if (execution.progress)
-    part.progress = [&execution, begin, end](double fraction) {
-      return execution.progress(begin + (end - begin) * fraction);
-    };
-  return part;
-}
-
 std::vector<std::uint32_t>
 labelsOfGroups(const std::vector<pcl::index_t>& group,
                const std::vector<std::uint32_t>& label_of_seed)
@@ -109,7 +97,7 @@ energyNear(const std::vector<BoundaryPoint>& boundary,
   const std::vector<Eigen::Vector3f> normals =
       surfaceNormals(labelled.points().points(),
                      neighbors,
-                     share(execution, costs_end, normals_end),
+                     partOf(execution, costs_end, normals_end),
                      linkedPoints(boundary, neighbors));
   const NeighborPull pull(settings,
                           normals,
@@ -141,7 +129,7 @@ clean(LabelledPoints& labelled,
       const ExecutionOptions& execution)
 {
   const NearestNeighbors neighbors(labelled.points().points(),
-                                   share(execution, 0.0, neighbors_end),
+                                   partOf(execution, 0.0, neighbors_end),
                                    NearestNeighbors::most);
   Progress progress(execution.progress);
   const std::vector<BoundaryPoint> boundary =

@@ -23,7 +23,7 @@ const Cue*
 colorsOf(const PairCosts& costs)
 {
   for (const Cue& cue : costs.cues)
-    if (cue.measure == Cue::Measure::distance)
+    if (cue.property == Cue::Property::color)
       return &cue;
   return nullptr;
 }

@@ -19,7 +19,7 @@
 namespace pcl_cid {
 
 /** \brief Squared length, each square rounded on its own: it never falls when one of
- * the differences grows, in float too. */
+ *  the differences grows, in float too. */
 inline float
 roundedSquare(const Eigen::Vector3f& difference)
 {
@@ -30,16 +30,16 @@ roundedSquare(const Eigen::Vector3f& difference)
 /** \brief A property of points, three numbers each, and what it costs when two points
  *  differ in it (*ours*): symmetric to the bit, never negative, 0 for equal values. */
 struct Cue {
-  enum class Measure {
-    /** `|a - b|` */
-    distance,
-    /** `min(|a - b|^2, |a + b|^2)`: for vectors of length sqrt(weight / 2) whose sign
-     *  means nothing, that is `weight (1 - |cos(a, b)|)`. */
-    angle
+  enum class Property {
+    /** CIE L*a*b* times the weight: `|a - b|`. */
+    color,
+    /** A unit vector whose sign means nothing, times sqrt(weight / 2):
+     *  `min(|a - b|^2, |a + b|^2)`, that is `weight (1 - |cos(a, b)|)`. */
+    normal
   };
 
-  Measure measure = Measure::distance;
-  /** Of each point, scaled so that the measure is in metres. */
+  Property property = Property::color;
+  /** Of each point, scaled so that what they cost is in metres. */
   Points values;
 
   float
@@ -47,7 +47,7 @@ struct Cue {
   {
     const Eigen::Vector3f& a = values[p];
     const Eigen::Vector3f& b = values[q];
-    if (measure == Measure::distance)
+    if (property == Property::color)
       return std::sqrt(roundedSquare(a - b));
     return std::min(roundedSquare(a - b), roundedSquare(a + b));
   }
@@ -58,7 +58,7 @@ struct Cue {
   {
     const Eigen::Array4f value = padded(values[p]);
     const float squared = roundedSquare(gap(box, value));
-    return measure == Measure::distance
+    return property == Property::color
                ? std::sqrt(squared)
                : std::min(squared, roundedSquare(gap(box, -value)));
   }
@@ -69,7 +69,7 @@ struct Cue {
   {
     const Eigen::Array4f value = padded(values[p]);
     const float squared = roundedSquare(farthest(box, value));
-    return measure == Measure::distance
+    return property == Property::color
                ? std::sqrt(squared)
                : std::min(squared, roundedSquare(farthest(box, -value)));
   }

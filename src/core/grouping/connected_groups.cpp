@@ -10,14 +10,14 @@
 #include "connected_groups.h"
 
 #include "base/infinity.h"
+#include "base/joined_sets.h"
 #include "base/parallel_for.h"
-#include "cid/segment_search.h"
+#include "cid/cost_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -25,49 +25,19 @@
 namespace pcl_cid {
 namespace {
 
-/** The pieces of the groups: points of one group that edges join. */
-class Pieces {
-public:
-  Pieces(const SurfaceGraph& graph, const std::vector<pcl::index_t>& groups)
-  : parent_(graph.size())
-  {
-    std::iota(parent_.begin(), parent_.end(), 0);
+/** The piece of each point, points of one group that edges join, by its lowest point.
+ */
+std::vector<std::uint32_t>
+piecesOf(const SurfaceGraph& graph, const std::vector<pcl::index_t>& groups)
+{
+  return joinedSets(graph.size(), [&](const auto& join) {
     for (std::size_t p = 0; p < graph.size(); ++p)
       graph.forEachEdge(p, [&](std::size_t q) {
         if (groups[p] == groups[q])
           join(p, q);
       });
-    for (std::size_t p = 0; p < parent_.size(); ++p)
-      parent_[p] =
-          parent_[parent_[p]]; // a parent comes first, and has its piece already
-  }
-
-  /** The piece of a point, which is the lowest of its points. */
-  std::uint32_t
-  operator[](std::size_t point) const
-  {
-    return parent_[point];
-  }
-
-private:
-  std::uint32_t
-  find(std::uint32_t point)
-  {
-    while (parent_[point] != point)
-      point = parent_[point] = parent_[parent_[point]];
-    return point;
-  }
-
-  void
-  join(std::size_t p, std::size_t q)
-  {
-    const std::uint32_t a = find(static_cast<std::uint32_t>(p));
-    const std::uint32_t b = find(static_cast<std::uint32_t>(q));
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<std::uint32_t> parent_;
-};
+  });
+}
 
 /** Where an island meets another piece. */
 struct Border {
@@ -121,7 +91,7 @@ public:
   , order_(samples)
   , seeds_(seeds)
   , groups_(groups)
-  , pieces_(graph, groups)
+  , pieces_(piecesOf(graph, groups))
   , is_mainland_(graph.size(), false)
   {
     for (const pcl::index_t seed : seeds)
@@ -194,13 +164,14 @@ private:
   {
     const auto point = static_cast<std::size_t>(borders_[border].point);
     const auto seed = static_cast<std::size_t>(seeds_[static_cast<std::size_t>(group)]);
-    const PairCost cost = points_.costs().between(seed, point);
     const Segment segment{
         points_.points()[seed], points_.points()[point], points_.areOnSurface()};
-    // What reaches this costs more than the best.
-    const float too_far = std::nextafter(cost.cidWithin(island.best.cost), infinity);
+    // The next float up, as an equal cost may win, too.
+    const float limit = std::nextafter(island.best.cost, infinity);
     std::size_t hint = order_.last() / 2;
-    const Offer offered{cost.of(search.pointCID(segment, too_far, hint)), group};
+    const Offer offered{
+        searchCost(search, segment, points_.costs().between(seed, point), limit, hint),
+        group};
     if (!(offered < island.best))
       return false;
     island.best = offered;
@@ -253,7 +224,7 @@ private:
   const SampleOrder order_;
   const pcl::Indices& seeds_;
   std::vector<pcl::index_t>& groups_;
-  const Pieces pieces_;
+  const std::vector<std::uint32_t> pieces_;
   std::vector<bool> is_mainland_; ///< by piece: it has the seed
   std::vector<Border> borders_;   ///< of all islands, in their order
   std::vector<Island> islands_;   ///< in the order of their pieces

@@ -120,7 +120,7 @@ colorCue(const WorkingSet& working,
   for (std::size_t i = 0; i < working.points().size(); ++i)
     of_working.push_back(colors[static_cast<std::size_t>(
         working.positionOf(static_cast<pcl::index_t>(i)))]);
-  Cue cue{Cue::Measure::distance, smoothLab(of_working, neighbors)};
+  Cue cue{Cue::Property::color, smoothLab(of_working, neighbors)};
   for (Eigen::Vector3f& color : cue.values)
     color *= weight;
   return cue;
@@ -132,7 +132,7 @@ normalCue(const Points& points,
           float weight,
           const ExecutionOptions& execution)
 {
-  Cue cue{Cue::Measure::angle, surfaceNormals(points, neighbors, execution)};
+  Cue cue{Cue::Property::normal, surfaceNormals(points, neighbors, execution)};
   for (Eigen::Vector3f& normal : cue.values)
     normal *= std::sqrt(weight / 2.0f);
   return cue;

@@ -171,6 +171,8 @@ private:
         offset += static_cast<std::uint32_t>(column.bytes());
       header_.columns.push_back(column);
     }
+    if (header_.columns.empty())
+      fail("the PCD header has COUNT 0 for all of its FIELDS; x, y and z are needed");
   }
 
   void

@@ -13,6 +13,7 @@
 #include "prepared_points.h"
 
 #include <pcl_cid/core/annotation.h>
+#include <pcl_cid/core/label_cleaning.h>
 #include <pcl_cid/exceptions.h>
 
 #include <cmath>
@@ -194,7 +195,7 @@ TEST(CorrectiveClicks, AreThoseOfTheDefinition)
 TEST(CorrectiveClicks, MakeAllRightWithAtMostAsManyAsPoints)
 {
   const AnnotationTask task = twoBoxesInCells(120);
-  const AnnotationState end = annotateCorrections(task, {120}, 0).back();
+  const AnnotationState end = annotateCorrections(task, {1000}, 0).back();
   EXPECT_LE(end.clicks, 120u);
   EXPECT_EQ(meanOf(end), 1.0);
 }
@@ -230,21 +231,54 @@ TEST(CorrectiveClicks, AreOnPointsOfASubsample)
   task.scan = prepared(task.scan->points().points, settings);
   const std::vector<AnnotationState> states = annotateCorrections(task, {10, 60}, 0);
   EXPECT_GT(meanOf(states[1]), meanOf(states[0]));
-  annotateVoxels(task);
+  const std::vector<AnnotationState> of_voxels = annotateVoxels(task);
+  EXPECT_GT(meanOf(of_voxels.back()), meanOf(of_voxels.front()));
+}
+
+/** Two of the three points coincide, so Algorithm 1 has no third seed to propose. */
+TEST(CorrectiveClicks, GoOnWhereNothingIsLeftToPropose)
+{
+  AnnotationTask task;
+  task.scan = prepared({{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}});
+  task.truth = {1, 2, 3};
+  const std::vector<AnnotationState> states = annotateCorrections(task, {2, 3, 5}, 3);
+  EXPECT_EQ(states[0].clicks, 2u);
+  EXPECT_EQ(states[1].clicks, 3u);
+  EXPECT_EQ(meanOf(states[1]), 1.0);
+  EXPECT_EQ(states[2].clicks, 3u);
+}
+
+TEST(AnnotatedScans, MayHaveTheirBoundariesMended)
+{
+  PreparationSettings settings = plainSettings();
+  for (const int subsample : {0, 250}) {
+    settings.subsample = subsample;
+    AnnotationTask task = twoBoxesInCells(400);
+    task.scan = prepared(task.scan->points().points, settings);
+    const AnnotationState ragged = annotateProposals(task, {30}).front();
+    task.clean_up = true;
+    const AnnotationState mended = annotateProposals(task, {30}).front();
+    Grouping grouping(task.scan, task.grouping);
+    grouping.propose(30);
+    std::vector<std::uint32_t> label_of_seed;
+    for (const pcl::index_t seed : grouping.seeds())
+      label_of_seed.push_back(task.truth[static_cast<std::size_t>(seed)]);
+    EXPECT_EQ(iousOf(mended),
+              countedIous(cleanBoundaries(grouping, label_of_seed), task.truth));
+    EXPECT_NE(iousOf(mended), iousOf(ragged));
+  }
 }
 
 TEST(AnnotationThreads, ChangeNothing)
 {
   const AnnotationTask task = twoBoxesInCells(500);
   const Counts counts{3, 10, 40};
-  for (const unsigned int threads : {3u}) {
-    expectSame(annotateProposals(task, counts, onThreads(threads)),
-               annotateProposals(task, counts, onThreads(1)));
-    expectSame(annotateCorrections(task, counts, 5, onThreads(threads)),
-               annotateCorrections(task, counts, 5, onThreads(1)));
-    expectSame(annotateVoxels(task, {}, onThreads(threads)),
-               annotateVoxels(task, {}, onThreads(1)));
-  }
+  expectSame(annotateProposals(task, counts, onThreads(3)),
+             annotateProposals(task, counts, onThreads(1)));
+  expectSame(annotateCorrections(task, counts, 5, onThreads(3)),
+             annotateCorrections(task, counts, 5, onThreads(1)));
+  expectSame(annotateVoxels(task, {}, onThreads(3)),
+             annotateVoxels(task, {}, onThreads(1)));
 }
 
 TEST(VoxelClicks, BeginWithOneInEachInstanceAndKeepTheBudget)
@@ -315,6 +349,39 @@ TEST(VoxelClicks, OfTheFirstRoundAreThoseOfTheDefinition)
   const AnnotationState state = annotateVoxels(task, options).front();
   EXPECT_EQ(state.clicks, clicks.size());
   EXPECT_EQ(iousOf(state), countedIous(labels, task.truth));
+}
+
+/** Each point is a voxel of its own. */
+TEST(VoxelClicks, OfLaterRoundsAreInTheLargestRegion)
+{
+  const AnnotationTask task = twoBoxesInCells(300);
+  const Points& points = task.scan->points().points;
+  VoxelAnnotationOptions options;
+  options.voxel = 1e-4f;
+  const std::vector<AnnotationState> states = annotateVoxels(task, options);
+  ASSERT_GT(states.size(), 15u);
+  Grouping grouping(task.scan, task.grouping);
+  Labels labels(points.size(), 0);
+  for (std::size_t k = 0; k < 15; ++k) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, pcl::Indices> regions;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (task.truth[i] != 0 && task.truth[i] != labels[i])
+        regions[{task.truth[i], labels[i]}].push_back(static_cast<pcl::index_t>(i));
+    pcl::Indices clicks;
+    InmostPoint largest;
+    for (const auto& [pair, region] : regions) {
+      const InmostPoint inmost = literalInmostPoint(points, region);
+      clicks.push_back(inmost.point);
+      if (inmost.squared_distance > largest.squared_distance ||
+          (inmost.squared_distance == largest.squared_distance &&
+           inmost.point < largest.point))
+        largest = inmost;
+    }
+    grouping.addSeeds(k == 0 ? clicks : pcl::Indices{largest.point});
+    labels = labelsBy(grouping, task.truth);
+    EXPECT_EQ(states[k].clicks, grouping.numberOfSeeds());
+    EXPECT_EQ(iousOf(states[k]), countedIous(labels, task.truth)) << k;
+  }
 }
 
 TEST(AnnotationScores, AreThoseCountedByHand)

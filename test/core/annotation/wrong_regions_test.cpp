@@ -107,7 +107,7 @@ TEST_P(RegionsOfClouds, RegionsOfPairsAreAllThatIsWrong)
 
 TEST_P(RegionsOfClouds, InmostPointsAreThoseOfBruteForceOnThreads)
 {
-  InmostPoints inmost_points(tree_);
+  InmostPoints inmost_points(points_, tree_);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Labels truth = randomLabels(points_.size(), 4, seed);
     if (seed % 2 == 0) // regions that have an inside
@@ -137,7 +137,7 @@ TEST(InmostPoints, OfARegionWithoutAnOutsideIsItsFirstPoint)
   pcl::Indices all(points.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = static_cast<pcl::index_t>(i);
-  const InmostPoint found = InmostPoints(tree).of({all}, 1).front();
+  const InmostPoint found = InmostPoints(points, tree).of({all}, 1).front();
   EXPECT_EQ(found.point, 0);
   EXPECT_TRUE(std::isinf(found.squared_distance));
 }

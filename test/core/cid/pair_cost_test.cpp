@@ -73,11 +73,12 @@ TEST(PairCosts, AreTheFormula)
   costs.spacing = {0.5f, 1.5f};
   EXPECT_EQ(costs.between(0, 1).of(0.25f), 0.25f); // 2 / (0.5 + 1.5)
   EXPECT_EQ(costs.between(0, 0).of(0.25f), 0.5f);
-  costs.cues = {{Cue::Measure::distance, {{0.0f, 0.0f, 0.0f}, {0.3f, 0.0f, -0.4f}}}};
+  costs.cues = {{Cue::Property::color, {{0.0f, 0.0f, 0.0f}, {0.3f, 0.0f, -0.4f}}}};
   EXPECT_FLOAT_EQ(costs.between(0, 1).of(0.25f), 0.75f);
   EXPECT_EQ(costs.between(0, 1).of(0.3f), costs.between(1, 0).of(0.3f));
   // A right angle at a weight of 0.5.
-  costs.cues.push_back({Cue::Measure::angle, {{0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}}});
+  costs.cues.push_back(
+      {Cue::Property::normal, {{0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}}});
   EXPECT_FLOAT_EQ(costs.between(0, 1).of(0.25f), 1.25f);
 }
 
@@ -98,7 +99,7 @@ TEST(Cue, AnAngleIsTheFormulaWhateverTheSigns)
     const double scale = std::sqrt(weight / 2.0);
     const double expected = weight * (1.0 - std::abs(a.dot(b)));
     for (const double sign : {1.0, -1.0}) {
-      const Cue cue{Cue::Measure::angle,
+      const Cue cue{Cue::Property::normal,
                     {(scale * a).cast<float>(), (sign * scale * b).cast<float>()}};
       EXPECT_NEAR(cue.between(0, 1), expected, 1e-6 * weight);
       EXPECT_EQ(cue.between(0, 1), cue.between(1, 0));
@@ -116,9 +117,9 @@ TEST(Cue, BoundsOfABoxHoldForAllInIt)
       v[axis] = static_cast<float>(drawBelow(generator, 2001)) * 1e-3f - 1.0f;
     return v;
   };
-  for (const auto measure : {Cue::Measure::distance, Cue::Measure::angle})
+  for (const auto property : {Cue::Property::color, Cue::Property::normal})
     for (int n = 0; n < 500; ++n) {
-      Cue cue{measure, {value()}};
+      Cue cue{property, {value()}};
       const Eigen::Vector3f middle = value();
       PointBox box{padded(middle), padded(middle)};
       for (int k = 0; k < 8; ++k) {
@@ -193,8 +194,8 @@ public:
     const auto noise = [&] {
       return static_cast<float>(drawBelow(generator, 1000)) / 1000.0f;
     };
-    Cue color{Cue::Measure::distance, {}};
-    Cue normals{Cue::Measure::angle, {}};
+    Cue color{Cue::Property::color, {}};
+    Cue normals{Cue::Property::normal, {}};
     for (const Eigen::Vector3f& p : points) {
       if (variant.spacing)
         costs_.spacing.push_back(0.2f + std::fabs(std::sin(3.0f * p.x())) + noise());
@@ -386,9 +387,9 @@ TEST(TraversalWithCosts, RefusesBadValues)
     refuses(costs);
   }
   costs.spacing.clear();
-  costs.cues = {{Cue::Measure::distance, Points(10, Eigen::Vector3f(0.0f, NAN, 0.0f))}};
+  costs.cues = {{Cue::Property::color, Points(10, Eigen::Vector3f(0.0f, NAN, 0.0f))}};
   refuses(costs);
-  costs.cues = {{Cue::Measure::angle, Points(9, Eigen::Vector3f::Zero())}};
+  costs.cues = {{Cue::Property::normal, Points(9, Eigen::Vector3f::Zero())}};
   refuses(costs);
   GroupMergingOptions merging;
   costs.spacing.assign(9, 1.0f);

@@ -97,6 +97,17 @@ TEST_F(ForeignCloudFile, MayHaveFieldsWithoutValues)
             std::vector<std::string>{"field 'empty' has COUNT 0; it is passed over"});
 }
 
+TEST_F(ForeignCloudFile, MustHaveAFieldWithValues)
+{
+  for (const char* const data : {"ascii\n", "binary\n", "binary_compressed\n"})
+    EXPECT_THROW(read(std::string("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
+                                  "TYPE F F F\nCOUNT 0 0 0\nWIDTH 2\nHEIGHT 1\n"
+                                  "POINTS 2\nDATA ") +
+                      data + std::string(64, '\0')),
+                 CIDException)
+        << data;
+}
+
 TEST_F(ForeignCloudFile, KeepsListsThatAreEquallyLongForAllVertices)
 {
   const LabelledCloud cloud =
