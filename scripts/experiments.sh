@@ -9,7 +9,7 @@
 #
 # usage: experiments.sh EXPERIMENT DATASET_FOLDER OUT_FOLDER [--jobs N] [--starts 5]
 #                       [--seeds 100] [--scans N] [--methods LIST]
-#   EXPERIMENT   tables, seeds, purity, noise, heatmap, labels, peers, raw or all
+#   EXPERIMENT   tables, seeds, purity, noise, heatmap, labels, peers, raw, clicks or all
 
 set -euo pipefail
 started_in=$PWD
@@ -30,7 +30,8 @@ install_packages demo benchmark
 step "Libraries and programs"
 run cmake --preset release -DPCL_CID_BUILD_BENCHMARKS=ON
 run cmake --build --preset release --parallel "$(nproc)" \
-  --target pcl_cid_segment pcl_cid_abstract pcl_cid_evaluate cid_perturb cid_peers
+  --target pcl_cid_segment pcl_cid_abstract pcl_cid_evaluate pcl_cid_simulate \
+    cid_perturb cid_peers
 
 step "Experiment"
 cd "$started_in"

@@ -17,6 +17,13 @@
 namespace pcl_cid {
 
 void
+CIDParameters::setPaperSettings()
+{
+  CIDPreparationParameters::setPaperSettings();
+  setSeedingRule(setting::seeding.paper());
+}
+
+void
 CIDParameters::setNumberOfSeeds(int number_of_seeds)
 {
   require(setting::seeds, number_of_seeds);

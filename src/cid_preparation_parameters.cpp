@@ -12,6 +12,13 @@
 namespace pcl_cid {
 
 void
+CIDPreparationParameters::setPaperSettings()
+{
+  preparation_.setPaperSettings();
+  forgetScan();
+}
+
+void
 CIDPreparationParameters::setSubsample(int subsample)
 {
   require(setting::subsample, subsample);

@@ -451,9 +451,31 @@ TEST(CIDSampler, ExtendRefusesChangedSettings)
   }
 }
 
+TEST(CIDSampler, PaperSettingsAreThoseOfThePaper)
+{
+  Sampler paper = samplerFor(toCloud(twoBoxes(1500, 22)), 9);
+  paper.setDensityWeight(DensityWeight::on);
+  paper.setSeedingRule(SeedingRule::soft);
+  paper.setColorWeight(0.1f);
+  paper.setNormalWeight(0.1f);
+  paper.setConnectedGroups(true);
+  paper.setSubsample(1000);
+  paper.setPaperSettings();
+  EXPECT_EQ(paper.getDensityWeight(), DensityWeight::off);
+  EXPECT_EQ(paper.getIsolatedNeighbors(), 0);
+  EXPECT_EQ(paper.getSeedingRule(), SeedingRule::farthest);
+  EXPECT_EQ(paper.getColorWeight(), 0.0f);
+  EXPECT_EQ(paper.getNormalWeight(), 0.0f);
+  EXPECT_FALSE(paper.getConnectedGroups());
+  EXPECT_FALSE(paper.getFillBlindSpot());
+  EXPECT_EQ(paper.getSubsample(), 1000);
+  sampled(paper);
+  EXPECT_FALSE(paper.getDensityDecision().weighted);
+}
+
 TEST(CIDSampler, DecidesByTheSpacing)
 {
-  Points points = twoBoxes(1500, 22);
+  Points points = twoBoxes(20000, 22);
   Sampler even = samplerFor(toCloud(points), 2);
   sampled(even);
   EXPECT_FALSE(even.getDensityDecision().weighted);

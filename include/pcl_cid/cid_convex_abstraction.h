@@ -51,6 +51,13 @@ public:
     this->adoptGrouping(grouping);
   }
 
+  void
+  setPaperSettings() override
+  {
+    CIDParameters::setPaperSettings();
+    setMergingRule(setting::merging.paper());
+  }
+
   /** \brief The points of each part.
    *  \param[out] parts indices of the input cloud, ascending within a part
    *  \throws CIDException, CIDCancelled */

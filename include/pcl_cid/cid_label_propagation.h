@@ -137,6 +137,13 @@ public:
     return clean_up_;
   }
 
+  void
+  setPaperSettings() override
+  {
+    CIDParameters::setPaperSettings();
+    setCleanUp(setting::clean_up.paper());
+  }
+
   /** \brief Label every point.
    *  \param[out] labels one for each point of the input cloud
    *  \throws CIDException, CIDCancelled, and whatever the annotator throws */

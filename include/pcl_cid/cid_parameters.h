@@ -39,6 +39,9 @@ namespace pcl_cid {
  *  nothing. Ranges and defaults: the rows of `setting` (settings.h). */
 class PCL_CID_EXPORT CIDParameters : public CIDPreparationParameters {
 public:
+  void
+  setPaperSettings() override;
+
   /** \brief K, the number of seeds. Fewer come back when no other point would gain by
    *  being one, or the coverage is reached. */
   void

@@ -36,6 +36,12 @@ class PCL_CID_EXPORT CIDPreparationParameters {
 public:
   using SearchPtr = DistanceField::SearchPtr;
 
+  /** \brief Do as the paper does: every setting whose default is another gets the
+   *  paper's (NumberSetting::paper()). The paper's experiments work on 20,000 points
+   *  (setSubsample()), which is not a part of the method. */
+  virtual void
+  setPaperSettings();
+
   /** \brief Work on a random draw of this many points (the paper: 20,000), and let
    *  every other point follow its Euclidean-nearest one; 0, the default, works on all
    *  of them. */

@@ -11,6 +11,7 @@ import signal
 import sys
 from pathlib import Path
 
+from clicks import Clicks
 from heatmap import HeatMap
 from labels import Labels
 from noise import Noise
@@ -25,7 +26,7 @@ from tables import Tables
 from work import Store, do_all
 
 EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noise(), HeatMap(),
-                                            Labels(), Peers(), Raw())}
+                                            Labels(), Peers(), Raw(), Clicks())}
 
 
 def at_least_one(text):

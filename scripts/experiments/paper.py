@@ -12,7 +12,9 @@ SUBSAMPLE = 20000
 
 # Options for raw scans that the programs have beyond the paper, as the paper is.
 RAW_SCANS = {"density": "off", "isolated-neighbors": 0, "seeding": "farthest", "color": 0,
-             "blind-spot": "off"}
+             "normals": 0, "connected": "off", "blind-spot": "off"}
+# The same where the programs write labels.
+LABELS = RAW_SCANS | {"clean-up": "off"}
 
 # By class: AP25, AP50, AP75 of CID; AP50 of SGPN and of PointGroup, None where it has none.
 S3DIS = {

@@ -81,15 +81,21 @@ def perturbed(scan, settings, programs, folder):
 
 def remarks_in(folder):
     """What the reports in a folder say that was repaired, left out or assumed in reading."""
-    return [remark for report in sorted(folder.glob("*.json"))
-            for remark in read_json(report).get("remarks", [])]
+    reports = [read_json(report) for report in sorted(folder.glob("*.json"))]
+    scans = [scan for report in reports for scan in (report, *report.get("scans", []))]
+    return [remark for scan in scans for remark in scan.get("remarks", [])]
+
+
+def options_beyond(defaults, settings):
+    """Options as some defaults have them, except for what the settings name."""
+    values = {name: settings.get(name, value) for name, value in defaults.items()}
+    return [word for name, value in values.items() if value != DEFAULT
+            for word in (f"--{name}", value)]
 
 
 def raw_scan_options(settings):
     """The options of the paper, except for what the settings name."""
-    values = {name: settings.get(name, value) for name, value in paper.RAW_SCANS.items()}
-    return [word for name, value in values.items() if value != DEFAULT
-            for word in (f"--{name}", value)]
+    return options_beyond(paper.RAW_SCANS, settings)
 
 
 def propagate(item, programs, folder):

@@ -26,6 +26,7 @@ sys.dont_write_bytecode = True
 
 import scores  # noqa: E402
 from clouds import labelled  # noqa: E402
+import clicks  # noqa: E402
 from heatmap import separation  # noqa: E402
 from peers_summary import Comparison  # noqa: E402
 from programs import raw_scan_options  # noqa: E402
@@ -373,6 +374,32 @@ class OnADataset(unittest.TestCase):
         self.assertAlmostEqual(float(check["mean IoU auto"]), float(decided["mean_iou"]))
         self.assertEqual(rows_of(self.out / "raw.csv")[0]["mean IoU, more than paper"], "0.0")
         self.assertTrue((self.out / "raw.png").exists())
+
+    def test_clicks(self):
+        done = self.run_it("clicks", self.room, self.out, "--starts", "1")
+        rows = rows_of(self.out / "clicks_scans.csv")
+        settings = {protocol: {row["setting"] for row in rows if row["protocol"] == protocol}
+                    for protocol in clicks.PROTOCOLS}
+        self.assertEqual(settings["proposals"], set(clicks.SETTINGS))
+        self.assertEqual(settings["agile3d"], set(clicks.WITH_AGILE3D))
+        work = Path(self.folder.name)
+        tool("pcl_cid_simulate", self.room, "--clicks", "50,100", "--threads", "1",
+             "--connected", "off", "--color", "0", "--normals", "0.03", "--report",
+             work / "report.json")
+        expected = json.loads((work / "report.json").read_text())["all"]
+        found = [row for row in rows if (row["protocol"], row["setting"]) ==
+                 ("proposals", "normals")]
+        for row, scores in zip(found, expected):
+            for figure in ("clicks", "used", "mean_iou", "recall75", "ap50"):
+                self.assertAlmostEqual(float(row[figure]), scores[figure])
+        pooled = {(row["setting"], row["figure"]): float(row["value"])
+                  for row in rows_of(self.out / "clicks.csv") if row["protocol"] == "proposals"}
+        self.assertAlmostEqual(pooled["normals", "mean_iou at 100"], expected[1]["mean_iou"])
+        self.assertIn("agile3d: scans in", done.stdout)
+        self.assertTrue((self.out / "clicks.png").exists())
+        before = stamps(self.out)
+        again = self.run_it("clicks", self.room, self.out, "--starts", "1")
+        self.assertIn(f" {len(before)} of them done before", again.stdout)
 
     def points(self):
         files = (self.room / "Annotations").iterdir()

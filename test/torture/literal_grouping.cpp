@@ -81,9 +81,9 @@ LiteralGrouping::state() const
     group[seeds_[k]] = static_cast<pcl::index_t>(k);
   if (scan_.graph()) {
     Progress silent(nullptr);
-    group = connectGroups(scan_.working(),
-                          *scan_.graph(),
-                          samples_,
+    KnownCosts costs(scan_.working(), samples_);
+    group = connectGroups(*scan_.graph(),
+                          costs,
                           pcl::Indices(seeds_.begin(), seeds_.end()),
                           std::move(group),
                           1,

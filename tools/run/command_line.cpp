@@ -97,6 +97,15 @@ CommandLine::flag(const std::string& name, bool& target, const std::string& help
 }
 
 void
+CommandLine::paperOption()
+{
+  flag("paper",
+       as_in_paper_,
+       "as in the paper, but for what is given: each option whose default is another "
+       "has the paper's");
+}
+
+void
 CommandLine::helpOptions()
 {
   groups_.back().add_options()("help,h", po::bool_switch(), "print this and exit")(
@@ -227,6 +236,9 @@ CommandLine::read(int argc, const char* const* argv, std::vector<std::string>& g
                   .style(style)
                   .run(),
               values);
+    if (values.count("paper") != 0 && values["paper"].as<bool>())
+      for (const auto& set : set_paper_)
+        set();
     po::notify(values);
   }
   catch (const po::error& error) {

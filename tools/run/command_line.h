@@ -71,6 +71,11 @@ public:
   void
   flag(const std::string& name, bool& target, const std::string& help);
 
+  /** \brief `--paper`: what is not the paper's by default becomes so, but for what is
+   *  given. */
+  void
+  paperOption();
+
   /** \brief `--help` and `--version`, which parse() answers. */
   void
   helpOptions();
@@ -100,6 +105,7 @@ public:
     if (row.zero)
       with_default << "; 0 " << row.zero;
     with_default << "; default " << target;
+    asInPaper(row, target);
     option(
         optionName(row),
         row.placeholder,
@@ -147,6 +153,7 @@ public:
   void
   choice(const ChoiceSetting<Value, Count>& row, Value& target)
   {
+    asInPaper(row, target);
     choose(row, target, std::string("default ") + row.wordOf(target));
   }
 
@@ -157,6 +164,7 @@ public:
          std::optional<Value>& target,
          const std::string& note)
   {
+    asInPaper(row, target);
     choose(row, target, note);
   }
 
@@ -200,6 +208,14 @@ private:
          const std::string& placeholder,
          const std::string& help,
          const Take& take);
+
+  template <typename Row, typename Target>
+  void
+  asInPaper(const Row& row, Target& target)
+  {
+    if (row.in_paper)
+      set_paper_.push_back([row, &target] { target = row.paper(); });
+  }
 
   template <typename Value, std::size_t Count, typename Target>
   void
@@ -261,6 +277,8 @@ private:
   std::string usage_;
   std::string about_;
   std::vector<boost::program_options::options_description> groups_;
+  bool as_in_paper_ = false;
+  std::vector<std::function<void()>> set_paper_; ///< the targets of rows that have it
   std::vector<std::pair<std::string, std::string>> exclusive_;
   std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;
 };

@@ -22,6 +22,7 @@ void
 declareRawScanOptions(RawScanOptions& options, CommandLine& line)
 {
   line.group(setting::density.group);
+  line.paperOption();
   line.choice(setting::density, options.density);
   line.setting(setting::density_power, options.density_power);
   line.setting(setting::isolated_neighbors, options.isolated_neighbors);
@@ -35,7 +36,9 @@ declareRawScanOptions(RawScanOptions& options, CommandLine& line)
 std::vector<std::string>
 rawScanOptionNames()
 {
-  return optionsOf(setting::density.group);
+  std::vector<std::string> names = optionsOf(setting::density.group);
+  names.emplace_back("paper");
+  return names;
 }
 
 void

@@ -23,6 +23,7 @@
 namespace pcl_cid {
 
 class BlockGroups;
+class KnownCosts;
 
 /** \brief Seeds, and the seed that each point belongs to.
  *
@@ -83,7 +84,8 @@ enum class ProposalStop {
  *  A verb that throws changes nothing. (Except when memory runs out in a verb without a
  *  progress callback: then no seeds are left.) Copies are independent and share the
  *  scan. Const calls may run concurrently.
- *  \note Memory: about 30 bytes a point. */
+ *  \note Memory: about 30 bytes a point; up to 50 more where groups are made connected.
+ */
 class PCL_CID_EXPORT Grouping {
 public:
   using ConstPtr = std::shared_ptr<const Grouping>;
@@ -210,6 +212,8 @@ private:
   PreparedScan::ConstPtr scan_;
   GroupingSettings settings_;
   std::unique_ptr<BlockGroups> groups_;
+  std::shared_ptr<KnownCosts>
+      known_costs_;              ///< with all copies, as they are of the scan
   std::vector<float> coverages_; ///< r_k for the first seeds, as far as it is known
   float coverage_;
   std::size_t comparisons_ = 0;

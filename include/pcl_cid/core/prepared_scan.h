@@ -80,6 +80,19 @@ struct PreparationSettings {
   /** See DistanceField::Options. */
   DistanceField::SearchPtr search_method;
   std::size_t memory_budget = 0;
+
+  /** \brief What the rows of these settings say of the paper, see
+   *  NumberSetting::paper(). */
+  void
+  setPaperSettings()
+  {
+    density = setting::density.paper();
+    isolated_neighbors = setting::isolated_neighbors.paper();
+    color = setting::color.paper();
+    normals = setting::normals.paper();
+    connected = setting::connected.paper();
+    blind_spot = setting::blind_spot.paper();
+  }
 };
 
 /** \brief What was measured about the density of a scan, and decided. */

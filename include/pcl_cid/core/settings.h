@@ -37,6 +37,15 @@ struct NumberSetting {
   /** What 0 means, as it follows "0": "for all"; null where it is a value like any
    *  other. With a meaning, it is allowed even where the range leaves it out. */
   const char* zero = nullptr;
+  /** What the paper has, where that is not the default. */
+  std::optional<Value> in_paper = std::nullopt;
+
+  /** \brief What the paper has. */
+  constexpr Value
+  paper() const
+  {
+    return in_paper.value_or(initial);
+  }
 
   /** \brief Whether a value, of this type or a wider one, may be set. */
   template <typename Given>
@@ -83,6 +92,14 @@ struct ChoiceSetting {
   Value initial;
   std::array<Word, Count> words;
   const char* meaning;
+  std::optional<Value> in_paper = std::nullopt; ///< where that is not the default
+
+  /** \brief What the paper has. */
+  constexpr Value
+  paper() const
+  {
+    return in_paper.value_or(initial);
+  }
 
   /** \brief The word for a value. */
   constexpr const char*
@@ -134,8 +151,9 @@ constexpr float above_zero = std::numeric_limits<float>::min();
 constexpr double longest = 1e15;
 constexpr double shortest = 1e-15;
 
-// A number: group, name, title, placeholder, unit, default, least, most, meaning, zero.
-// A choice: group, name, placeholder, default, words, meaning.
+// A number: group, name, title, placeholder, unit, default, least, most, meaning, zero,
+//   paper.
+// A choice: group, name, placeholder, default, words, meaning, paper.
 // clang-format off
 
 inline constexpr NumberSetting<int> seeds{
@@ -171,7 +189,8 @@ inline constexpr ChoiceSetting<DensityWeight, 3> density{
       {"off", DensityWeight::off},
       {"on", DensityWeight::on}}},
     "divide CIDs by the local spacing of the points: auto (where it is uneven), off "
-    "(the paper) or on"};
+    "(the paper) or on",
+    DensityWeight::off};
 
 inline constexpr NumberSetting<float> density_power{
     "Raw scans", "density_power", "density power", "P", "", 1.0f, 0.0f, 4.0f,
@@ -181,7 +200,8 @@ inline constexpr NumberSetting<int> isolated_neighbors{
     "Raw scans", "isolated_neighbors", "least number of near neighbors", "N", "",
     4, 0, 8,
     "points with fewer others near them do not become seeds",
-    "to let all become seeds"};
+    "to let all become seeds",
+    0};
 
 inline constexpr ChoiceSetting<SeedingRule, 2> seeding{
     "Raw scans", "seeding", "RULE", SeedingRule::farthest,
@@ -206,7 +226,8 @@ inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "Raw scans", "blind_spot", "WHEN", true,
     {{{"auto", true}, {"off", false}}},
     "the floor that a scanner hides from itself is a part of the surface: auto "
-    "(where there is a hole under the viewpoint) or off"};
+    "(where there is a hole under the viewpoint) or off",
+    false};
 
 inline constexpr ChoiceSetting<bool, 2> clean_up{
     "Labels", "clean_up", "WHEN", false,
@@ -235,7 +256,8 @@ inline constexpr ChoiceSetting<MergingRule, 2> merging{
     "Parts", "merging", "RULE", MergingRule::cid,
     {{{"cid", MergingRule::cid}, {"hull", MergingRule::hull}}},
     "join parts by their group CID (cid, the paper), or so that hulls leave free space "
-    "free (hull)"};
+    "free (hull)",
+    MergingRule::cid};
 
 inline constexpr NumberSetting<double> max_error{
     "Parts", "max_error", "bound on the error of hulls", "T", "metres", 0.1, shortest,

@@ -12,7 +12,6 @@
 #include "base/infinity.h"
 #include "base/joined_sets.h"
 #include "base/parallel_for.h"
-#include "cid/cost_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,13 +81,11 @@ struct Island {
 
 class Connection {
 public:
-  Connection(const WorkingPoints& points,
-             const SurfaceGraph& graph,
-             int samples,
+  Connection(const SurfaceGraph& graph,
+             KnownCosts& costs,
              const pcl::Indices& seeds,
              std::vector<pcl::index_t>& groups)
-  : points_(points)
-  , order_(samples)
+  : costs_(costs)
   , seeds_(seeds)
   , groups_(groups)
   , pieces_(piecesOf(graph, groups))
@@ -104,7 +101,7 @@ public:
   run(int threads, Progress& progress)
   {
     parallelForEach(islands_.size(), threads, progress, {1.0, 1.0}, [&](std::size_t i) {
-      SegmentSearch search(points_.field(), order_);
+      SegmentSearch search = costs_.search();
       for (std::size_t k = islands_[i].begin; k < islands_[i].end; ++k)
         if (is_mainland_[borders_[k].other])
           offer(islands_[i], k, groups_[borders_[k].other], search);
@@ -164,14 +161,9 @@ private:
   {
     const auto point = static_cast<std::size_t>(borders_[border].point);
     const auto seed = static_cast<std::size_t>(seeds_[static_cast<std::size_t>(group)]);
-    const Segment segment{
-        points_.points()[seed], points_.points()[point], points_.areOnSurface()};
     // The next float up, as an equal cost may win, too.
     const float limit = std::nextafter(island.best.cost, infinity);
-    std::size_t hint = order_.last() / 2;
-    const Offer offered{
-        searchCost(search, segment, points_.costs().between(seed, point), limit, hint),
-        group};
+    const Offer offered{costs_.cost(seed, point, limit, search), group};
     if (!(offered < island.best))
       return false;
     island.best = offered;
@@ -187,7 +179,7 @@ private:
     for (std::size_t i = 0; i < islands_.size(); ++i)
       if (islands_[i].best.group >= 0)
         queue.push({islands_[i].best, static_cast<std::uint32_t>(i)});
-    SegmentSearch search(points_.field(), order_);
+    SegmentSearch search = costs_.search();
     while (!queue.empty()) {
       Island& island = islands_[queue.top().second];
       queue.pop();
@@ -220,8 +212,7 @@ private:
     return is_better;
   }
 
-  const WorkingPoints& points_;
-  const SampleOrder order_;
+  KnownCosts& costs_;
   const pcl::Indices& seeds_;
   std::vector<pcl::index_t>& groups_;
   const std::vector<std::uint32_t> pieces_;
@@ -233,15 +224,14 @@ private:
 } // namespace
 
 std::vector<pcl::index_t>
-connectGroups(const WorkingPoints& points,
-              const SurfaceGraph& graph,
-              int samples,
+connectGroups(const SurfaceGraph& graph,
+              KnownCosts& costs,
               const pcl::Indices& seeds,
               std::vector<pcl::index_t> groups,
               int threads,
               Progress& progress)
 {
-  Connection(points, graph, samples, seeds, groups).run(threads, progress);
+  Connection(graph, costs, seeds, groups).run(threads, progress);
   return groups;
 }
 

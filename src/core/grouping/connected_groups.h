@@ -9,7 +9,8 @@
 
 #pragma once
 
-#include "cid/working_points.h"
+#include "known_costs.h"
+
 #include "scan/surface_graph.h"
 
 #include <vector>
@@ -25,18 +26,16 @@ namespace pcl_cid {
  *  that is next to the seed's group, the cheapest first; what they join makes further
  *  islands adjacent. An island that no group comes next to stays where it is. A
  * function of the groups, the seeds and the costs alone: of no history, and no threads.
- *  \param[in] points of the groups
  *  \param[in] graph of the points
- *  \param[in] samples M of a cost
+ *  \param[in,out] costs of pairs of the points
  *  \param[in] seeds by number, indices among the points
  *  \param[in] groups the number of the seed of each point; that of a seed is its own
  *  \param[in] threads as from threadCount()
  *  \throws CIDCancelled
  *  \note Cost: O(N) beside the costs of points where islands border on groups. */
 std::vector<pcl::index_t>
-connectGroups(const WorkingPoints& points,
-              const SurfaceGraph& graph,
-              int samples,
+connectGroups(const SurfaceGraph& graph,
+              KnownCosts& costs,
               const pcl::Indices& seeds,
               std::vector<pcl::index_t> groups,
               int threads,

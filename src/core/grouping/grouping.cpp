@@ -8,6 +8,7 @@
  */
 
 #include "connected_groups.h"
+#include "known_costs.h"
 #include "seed_proposal.h"
 
 #include "base/requirements.h"
@@ -141,6 +142,7 @@ Grouping::Grouping(PreparedScan::ConstPtr scan, const GroupingSettings& settings
 {
   require(setting::samples, settings.samples);
   groups_ = emptyGroups(notNull(scan_), settings_);
+  known_costs_ = std::make_shared<KnownCosts>(scan_->working(), settings_.samples);
   coverage_ = no_coverage;
 }
 
@@ -148,6 +150,7 @@ Grouping::Grouping(const Grouping& other)
 : scan_(other.scan_)
 , settings_(other.settings_)
 , groups_(std::make_unique<BlockGroups>(*other.groups_))
+, known_costs_(other.known_costs_)
 , coverages_(other.coverages_)
 , coverage_(other.coverage_)
 , comparisons_(other.comparisons_)
@@ -162,6 +165,7 @@ Grouping::operator=(Grouping other) noexcept
   std::swap(scan_, other.scan_);
   std::swap(settings_, other.settings_);
   std::swap(groups_, other.groups_);
+  std::swap(known_costs_, other.known_costs_);
   std::swap(coverages_, other.coverages_);
   std::swap(coverage_, other.coverage_);
   std::swap(comparisons_, other.comparisons_);
@@ -298,9 +302,8 @@ Grouping::groupsOfWorkingPoints(const ExecutionOptions& execution) const
   std::vector<pcl::index_t> groups = groups_->groups({threads, progress});
   if (!scan_->graph())
     return groups;
-  return connectGroups(scan_->working(),
-                       *scan_->graph(),
-                       settings_.samples,
+  return connectGroups(*scan_->graph(),
+                       *known_costs_,
                        groups_->seeds(),
                        std::move(groups),
                        threads,

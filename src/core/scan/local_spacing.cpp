@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl_cid {
 namespace {
@@ -21,42 +22,99 @@ namespace {
 /** Share of the points that are sparse enough to be stray. */
 constexpr double stray_share = 0.02;
 
-double
-areaOf(float reach)
+/** A region is this share of a scan, and at least so many places in a row. */
+constexpr std::size_t regions_of_scan = 400;
+constexpr std::size_t least_places_of_region = 192;
+
+/** Even a regular cloud counts as spreading this much within a region. */
+constexpr float least_spread = 1.4f;
+
+/** A part of the surface. */
+struct Region {
+  double area;
+  float spacing; ///< the median of its points
+  float spread;  ///< of the spacings of its points
+};
+
+/** Of values in any order, the one that this share does not exceed; reorders them. */
+float
+quantileOf(std::vector<float>& values, double share)
 {
-  return static_cast<double>(reach) * static_cast<double>(reach);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
+                                       share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
-/** Reaches of the points that count, ascending. */
+/** Reaches of the places that are not isolated, in the order of the places. */
 std::vector<float>
 reachesThatCount(const NearestNeighbors& neighbors, const pcl::Indices& isolated)
 {
   std::vector<float> reaches;
-  auto next_isolated = isolated.begin();
-  for (std::size_t i = 0; i < neighbors.size(); ++i)
-    if (next_isolated != isolated.end() &&
-        static_cast<std::size_t>(*next_isolated) == i)
-      ++next_isolated;
-    else
-      reaches.push_back(neighbors.reach(i));
-  std::sort(reaches.begin(), reaches.end());
-  const auto stray =
-      static_cast<std::size_t>(stray_share * static_cast<double>(reaches.size()));
-  reaches.resize(reaches.size() - stray);
+  for (const pcl::index_t place : neighbors.places())
+    if (!std::binary_search(isolated.begin(), isolated.end(), place))
+      reaches.push_back(neighbors.reach(static_cast<std::size_t>(place)));
   return reaches;
 }
 
-/** Of ascending spacings, the one that this share of the area does not exceed. */
-float
-quantileByArea(const std::vector<float>& ascending, double total, double share)
+/** Without the largest few, in the same order. */
+std::vector<float>
+withoutStray(const std::vector<float>& reaches)
+{
+  const auto stray =
+      static_cast<std::size_t>(stray_share * static_cast<double>(reaches.size()));
+  std::vector<float> ascending = reaches;
+  std::sort(ascending.begin(), ascending.end());
+  const float most = ascending[ascending.size() - 1 - stray];
+  std::vector<float> kept;
+  std::copy_if(reaches.begin(),
+               reaches.end(),
+               std::back_inserter(kept),
+               [most](float reach) { return reach <= most; });
+  return kept;
+}
+
+Region
+regionOf(std::vector<float> reaches)
 {
   double area = 0.0;
-  for (const float reach : ascending) {
-    area += areaOf(reach);
-    if (area >= share * total)
-      return reach;
+  for (const float reach : reaches)
+    area += static_cast<double>(reach) * static_cast<double>(reach);
+  const float low = quantileOf(reaches, 0.1);
+  return {area, quantileOf(reaches, 0.5), quantileOf(reaches, 0.9) / low};
+}
+
+std::vector<Region>
+regionsOf(const std::vector<float>& reaches)
+{
+  std::vector<Region> regions;
+  const std::size_t step =
+      std::max(reaches.size() / regions_of_scan, least_places_of_region);
+  for (std::size_t begin = 0; begin < reaches.size(); begin += step) {
+    const std::size_t end = std::min(begin + step, reaches.size());
+    regions.push_back(regionOf({reaches.begin() + static_cast<std::ptrdiff_t>(begin),
+                                reaches.begin() + static_cast<std::ptrdiff_t>(end)}));
   }
-  return ascending.back();
+  return regions;
+}
+
+/** The value of a region that this share of the area does not exceed. */
+float
+quantileByArea(std::vector<Region> regions, float Region::*value, double share)
+{
+  std::sort(regions.begin(), regions.end(), [&](const Region& a, const Region& b) {
+    return a.*value < b.*value;
+  });
+  double total = 0.0;
+  for (const Region& region : regions)
+    total += region.area;
+  double area = 0.0;
+  for (const Region& region : regions) {
+    area += region.area;
+    if (area >= share * total)
+      return region.*value;
+  }
+  return regions.back().*value;
 }
 
 } // namespace
@@ -67,11 +125,7 @@ medianReach(const NearestNeighbors& neighbors)
   std::vector<float> reaches;
   for (std::size_t i = 0; i < neighbors.size(); ++i)
     reaches.push_back(neighbors.reach(i));
-  if (reaches.empty())
-    return 0.0f;
-  const auto middle = reaches.begin() + (reaches.size() - 1) / 2;
-  std::nth_element(reaches.begin(), middle, reaches.end());
-  return *middle;
+  return reaches.empty() ? 0.0f : quantileOf(reaches, 0.5);
 }
 
 std::vector<float>
@@ -93,13 +147,15 @@ localSpacing(const NearestNeighbors& neighbors, float power)
 float
 spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated)
 {
-  const std::vector<float> ascending = reachesThatCount(neighbors, isolated);
-  double total = 0.0;
-  for (const float reach : ascending)
-    total += areaOf(reach);
-  if (!(total > 0.0))
+  const std::vector<float> reaches = reachesThatCount(neighbors, isolated);
+  if (reaches.empty())
     return 1.0f;
-  return quantileByArea(ascending, total, 0.9) / quantileByArea(ascending, total, 0.1);
+  const std::vector<Region> regions = regionsOf(withoutStray(reaches));
+  const auto at = [&](float Region::*value, double share) {
+    return quantileByArea(regions, value, share);
+  };
+  const float between = at(&Region::spacing, 0.9) / at(&Region::spacing, 0.1);
+  return between / std::max(at(&Region::spread, 0.5), least_spread);
 }
 
 } // namespace pcl_cid

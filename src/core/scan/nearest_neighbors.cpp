@@ -192,6 +192,10 @@ NearestNeighbors::NearestNeighbors(const Points& points,
   };
   parallelFor(tree.size(), grain, threads, progress, {0.0, 1.0}, search);
 
+  for (std::size_t number = 0; number < tree.size(); ++number)
+    for (int row = 0; row < tree.block(number).count; ++row)
+      places_.push_back(
+          places.first[static_cast<std::size_t>(tree.block(number).index[row])]);
   neighbors_.resize(points.size() * count_);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto place = static_cast<std::size_t>(places.place[i]);

@@ -40,7 +40,7 @@ public:
    *  \param[in] execution threads and progress; never change a result
    *  \param[in] wanted neighbors to look for, most_near to most
    *  \throws CIDCancelled
-   *  \note Cost: O(N log N), 36 bytes a point while this object lives (68 with the most
+   *  \note Cost: O(N log N), 40 bytes a point while this object lives (72 with the most
    *  neighbors), and about twice that while it is made. */
   NearestNeighbors(const Points& points,
                    const ExecutionOptions& execution,
@@ -74,6 +74,14 @@ public:
     return neighbors_[point * count_ + k];
   }
 
+  /** \brief A point of each place that has one, in the order of a kd-tree: those near
+   *  each other in a row. Empty when there is only one place. */
+  const pcl::Indices&
+  places() const
+  {
+    return places_;
+  }
+
   /** \brief Distance to the last near neighbor, metres; 0 where there is none. */
   float
   reach(std::size_t point) const
@@ -85,6 +93,7 @@ private:
   std::size_t count_ = 0;
   pcl::Indices neighbors_; ///< count_ for each point, nearest first
   std::vector<float> distances_;
+  pcl::Indices places_;
 };
 
 } // namespace pcl_cid

@@ -35,6 +35,28 @@ withZero(const NumberSetting<Value>& setting)
              : setting.meaning;
 }
 
+/** The default, and the paper's where it is another. */
+template <typename Value>
+std::string
+defaultOf(const NumberSetting<Value>& setting)
+{
+  std::ostringstream text;
+  text << setting.initial;
+  if (setting.paper() != setting.initial)
+    text << " (the paper: " << setting.paper() << ")";
+  return text.str();
+}
+
+template <typename Value, std::size_t Count>
+std::string
+defaultOf(const ChoiceSetting<Value, Count>& setting)
+{
+  const std::string text = setting.wordOf(setting.initial);
+  if (setting.paper() == setting.initial)
+    return text;
+  return text + " (the paper: " + setting.wordOf(setting.paper()) + ")";
+}
+
 /** A row as text. */
 struct Row {
   std::string group;
@@ -50,12 +72,10 @@ template <typename Value>
 Row
 rowOf(const NumberSetting<Value>& setting)
 {
-  std::ostringstream initial;
-  initial << setting.initial;
   return {setting.group,
           setting.name,
           setting.placeholder,
-          initial.str(),
+          defaultOf(setting),
           rangeOf(setting),
           setting.unit,
           withZero(setting)};
@@ -71,7 +91,7 @@ rowOf(const ChoiceSetting<Value, Count>& setting)
   return {setting.group,
           setting.name,
           setting.placeholder,
-          setting.wordOf(setting.initial),
+          defaultOf(setting),
           words,
           "",
           setting.meaning};
@@ -94,6 +114,7 @@ expectSound(const NumberSetting<Value>& setting)
   EXPECT_TRUE(setting.allows(setting.initial));
   EXPECT_TRUE(setting.allows(setting.least));
   EXPECT_TRUE(setting.allows(setting.most));
+  EXPECT_TRUE(setting.allows(setting.paper()));
   EXPECT_EQ(setting.allows(Value{0}), setting.least <= Value{0} || setting.zero);
   EXPECT_FALSE(std::string(setting.title).empty());
   EXPECT_NO_THROW(require(setting, setting.initial));
@@ -120,6 +141,7 @@ expectSound(const ChoiceSetting<Value, Count>& setting)
     EXPECT_STREQ(setting.wordOf(each.value), each.word) << "two words for one value";
   }
   EXPECT_STRNE(setting.wordOf(setting.initial), "") << "the default has no word";
+  EXPECT_STRNE(setting.wordOf(setting.paper()), "") << "the paper's has no word";
 }
 
 TEST(Settings, RowsAreSound)

@@ -171,9 +171,8 @@ TEST(ConnectedGroups, WhatNoGroupComesNextToStays)
   std::fill_n(groups.begin(), 30, 0);
   Progress progress(nullptr);
   // The third cluster belongs to seed 1, which is on the second.
-  EXPECT_EQ(
-      connectGroups(scan->working(), *scan->graph(), 10, {0, 40}, groups, 1, progress),
-      groups);
+  KnownCosts costs(scan->working(), 10);
+  EXPECT_EQ(connectGroups(*scan->graph(), costs, {0, 40}, groups, 1, progress), groups);
 }
 
 } // namespace

@@ -180,8 +180,8 @@ private:
     pcl::Indices seeds;
     for (const pcl::index_t seed : seeds_)
       seeds.push_back(scan_.workingIndex(seed, "seed"));
-    group_ = connectGroups(
-        scan_.working(), *scan_.graph(), samples_, seeds, std::move(group_), 1, silent);
+    KnownCosts costs(scan_.working(), samples_);
+    group_ = connectGroups(*scan_.graph(), costs, seeds, std::move(group_), 1, silent);
   }
 
   static bool

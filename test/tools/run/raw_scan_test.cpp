@@ -69,6 +69,36 @@ TEST_F(RawScanOptions, AreDecidedAndReported)
   EXPECT_EQ(off["isolated_points"], 0);
 }
 
+/** What is given counts, wherever it stands. */
+TEST_F(RawScanOptions, AreThoseOfThePaperButForWhatIsGiven)
+{
+  const nlohmann::json paper = reportOf({"--paper"})["parameters"];
+  std::size_t found = 0;
+  forEachSetting([&](const auto& row) {
+    if (!paper.contains(row.name) || !row.in_paper)
+      return;
+    ++found;
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(row.initial)>> &&
+                  !std::is_same_v<std::decay_t<decltype(row.initial)>, bool>)
+      EXPECT_EQ(paper[row.name], row.paper()) << row.name;
+    else
+      EXPECT_EQ(paper[row.name], row.wordOf(row.paper())) << row.name;
+  });
+  EXPECT_GE(found, 3u);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--paper", "--density", "on"},
+        std::vector<std::string>{"--density", "on", "--paper"}}) {
+    const nlohmann::json given = reportOf(arguments)["parameters"];
+    EXPECT_EQ(given["density"], "on");
+    EXPECT_EQ(given["isolated_neighbors"], 0);
+  }
+}
+
+TEST_F(RawScanOptions, OfThePaperDoNothingToAHeatMap)
+{
+  expectRefused("pcl_cid_segment", {"--cid-from", "0", "--paper"}, 2, "--paper");
+}
+
 TEST_F(RawScanOptions, DoWhatTheClassDoes)
 {
   segment({scan_,
