@@ -15,7 +15,7 @@ from pathlib import Path
 
 TOOLS = ["pcl_cid_segment", "pcl_cid_abstract", "pcl_cid_evaluate"]
 # Two scans are worked on at a time, so most runs have one thread; the defaults have all.
-PAPER = "--threads 1 --density off --isolated-neighbors 0 --blind-spot off --subsample 20000"
+PAPER = "--threads 1 --paper --subsample 20000"
 
 # JSON up to this size is kept whole, so that a comparison can name the values that differ.
 LARGEST_KEPT_JSON = 200_000  # bytes

@@ -242,6 +242,7 @@ TEST(CIDConvexAbstraction, TreeAgreesWithTheOracle)
 {
   const Points points = twoBoxes(90, 105);
   Abstraction abstraction = abstractionFor(toCloud(points));
+  abstraction.setPaperSettings();
   abstraction.setNumberOfSeeds(6);
   abstraction.setGroupSampleSize(1 << 20);
   std::vector<pcl::PointIndices> parts;

@@ -363,6 +363,7 @@ TEST(CIDLabelPropagation, KeepsCIDsWhenAsked)
 {
   const Points points = twoBoxes(200, 106);
   Propagation propagation = propagationFor(toCloud(points));
+  propagation.setPaperSettings();
   EXPECT_FALSE(propagation.getKeepCID());
   labelled(propagation);
   EXPECT_TRUE(propagation.getProposal().cid.empty());

@@ -64,6 +64,7 @@ TEST(CIDSampler, AgreesWithTheOracle)
 {
   for (const NamedPoints& cloud : randomClouds()) {
     Sampler sampler = samplerFor(toCloud(cloud.points), 7);
+    sampler.setPaperSettings();
     const pcl::Indices seeds = sampled(sampler);
     EXPECT_EQ(seeds.size(), 7u);
     EXPECT_EQ(sampler.getProposal().seeds, seeds);
@@ -154,6 +155,7 @@ TEST(CIDSampler, SearchSurfaceIsWhatDistancesAreMeasuredTo)
   const Points surface = twoBoxes(400, 73);
   const Points points(surface.begin(), surface.begin() + 150);
   Sampler sampler = samplerFor(toCloud(points), 6);
+  sampler.setPaperSettings();
   sampler.setSearchSurface(toCloud(surface));
   sampled(sampler);
   expectAgreesWithAlgorithm1(sampler.getProposal(), surface, points, as_sampled);
@@ -363,6 +365,8 @@ samplerWithAllOn()
 TEST(CIDSampler, AllForRawScansIsWhatTheCoreMakesOfIt)
 {
   Sampler sampler = samplerWithAllOn();
+  sampler.setNormalWeight(0.0f);
+  sampler.setConnectedGroups(false);
   sampler.setSeedingRule(SeedingRule::farthest);
   sampler.setStartIndex(7);
   const pcl::Indices seeds = sampled(sampler);

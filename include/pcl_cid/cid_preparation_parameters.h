@@ -128,7 +128,7 @@ public:
 
   /** \brief What the surfaces at two points add to the cost of the pair when they are
    *  at a right angle, metres: `normal_weight (1 - |n_p . n_q|)`, the normals by PCA of
-   *  17 points; 0, the default, ignores them. */
+   *  17 points; default 0.03. 0, the paper, ignores them. */
   void
   setNormalWeight(float normal_weight);
 
@@ -139,8 +139,8 @@ public:
   }
 
   /** \brief Whether groups are made connected: a piece of a group that does not hang
-   *  together with its seed goes to a group next to it. Off by default, as in the
-   * paper. */
+   *  together with its seed goes to a group next to it. True by default; false is the
+   *  paper. */
   void
   setConnectedGroups(bool connected_groups);
 

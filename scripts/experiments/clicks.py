@@ -165,7 +165,8 @@ class Clicks:
         figure = new_figure(4.6 * len(tables), 4)
         for axes, ((place, protocol), named) in zip(
                 figure.subplots(1, len(tables), sharey=True, squeeze=False)[0], tables.items()):
-            for i, (name, pairs) in enumerate(named.items()):
+            for name, pairs in named.items():
+                i = list(SETTINGS).index(name)
                 axes.plot(CLICKS, [weighted([result["scores"][k] for _, result in pairs],
                                             "mean_iou", "instances")
                                    for k in range(len(CLICKS))],
@@ -173,5 +174,7 @@ class Clicks:
             axes.set(title=f"{protocol}: {place}", xlabel="clicks", ylim=(0, 1.02))
             axes.grid(alpha=0.25)
         figure.axes[0].set_ylabel("mean IoU")
-        figure.axes[-1].legend(fontsize="small", loc="upper left", bbox_to_anchor=(1, 1))
+        lines, names = figure.axes[0].get_legend_handles_labels()  # proposals have them all
+        figure.axes[-1].legend(lines, names, fontsize="small", loc="upper left",
+                               bbox_to_anchor=(1, 1))
         save_picture(path, figure)

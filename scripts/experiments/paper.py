@@ -13,6 +13,8 @@ SUBSAMPLE = 20000
 # Options for raw scans that the programs have beyond the paper, as the paper is.
 RAW_SCANS = {"density": "off", "isolated-neighbors": 0, "seeding": "farthest", "color": 0,
              "normals": 0, "connected": "off", "blind-spot": "off"}
+# Those of them whose defaults are not the paper's.
+NOT_BY_DEFAULT = ("density", "isolated-neighbors", "normals", "connected", "blind-spot")
 # The same where the programs write labels.
 LABELS = RAW_SCANS | {"clean-up": "off"}
 

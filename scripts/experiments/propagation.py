@@ -15,8 +15,7 @@ from work import Item
 # What each column is; options for raw scans that it does not name are the paper's.
 COLUMNS = {f"{paper.SUBSAMPLE:,} points": {"subsample": paper.SUBSAMPLE},
            "all points": {"subsample": 0},
-           "defaults": {"subsample": 0, "density": DEFAULT, "isolated-neighbors": DEFAULT,
-                        "blind-spot": DEFAULT}}
+           "defaults": {"subsample": 0, **dict.fromkeys(paper.NOT_BY_DEFAULT, DEFAULT)}}
 
 
 def propagation(scan, seeds, subsample, start, **disturbance):

@@ -9,6 +9,7 @@
 import statistics
 from pathlib import PurePosixPath
 
+import paper
 from programs import DEFAULT
 from propagation import by_classes, propagation, scan_row
 from report import new_figure, save_picture, write_csv, write_markdown
@@ -18,7 +19,7 @@ ALL_POINTS = 0
 # Metres for each unit of Lab.
 COLOR_WEIGHT = 0.001
 # What each setting changes; options that it does not name are the paper's.
-DEFAULTS = {"density": DEFAULT, "isolated-neighbors": DEFAULT, "blind-spot": DEFAULT}
+DEFAULTS = dict.fromkeys(paper.NOT_BY_DEFAULT, DEFAULT)
 SETTINGS = {
     "paper": {},
     "density on": {"density": "on"},

@@ -44,9 +44,7 @@ PreparedScan::ConstPtr
 prepareAsPaper(RawScan scan)
 {
   PreparationSettings settings;
-  settings.density = DensityWeight::off;
-  settings.isolated_neighbors = 0;
-  settings.blind_spot = false;
+  settings.setPaperSettings();
   return std::make_shared<const PreparedScan>(std::move(scan), settings);
 }
 

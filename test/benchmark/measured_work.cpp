@@ -79,9 +79,7 @@ void
 configureAsPaper(const Work& work, CIDParameters& parameters)
 {
   configure(work, parameters);
-  parameters.setDensityWeight(DensityWeight::off);
-  parameters.setIsolatedNeighbors(0);
-  parameters.setFillBlindSpot(false);
+  parameters.setPaperSettings();
 }
 
 /** A scan made ready with the settings of the paper. */

@@ -30,8 +30,8 @@ PreparationSettings
 plainSettings()
 {
   PreparationSettings settings;
-  settings.density = DensityWeight::off;
-  settings.isolated_neighbors = 0;
+  settings.setPaperSettings();
+  settings.blind_spot = setting::blind_spot.initial; // it needs a sensor
   settings.start_index = 0;
   return settings;
 }

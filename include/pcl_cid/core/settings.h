@@ -213,14 +213,16 @@ inline constexpr NumberSetting<float> color{
     "what a unit of difference in CIE L*a*b* adds to a CID"};
 
 inline constexpr NumberSetting<float> normals{
-    "Raw scans", "normals", "normal weight", "LAMBDA", "metres", 0.0f, 0.0f, any_length,
-    "what a right angle of the surfaces at two points adds to their CID"};
+    "Raw scans", "normals", "normal weight", "LAMBDA", "metres", 0.03f, 0.0f, any_length,
+    "what a right angle of the surfaces at two points adds to their CID",
+    nullptr, 0.0f};
 
 inline constexpr ChoiceSetting<bool, 2> connected{
-    "Raw scans", "connected", "WHEN", false,
+    "Raw scans", "connected", "WHEN", true,
     {{{"on", true}, {"off", false}}},
     "a piece of a group that does not hang together with its seed goes to a group next "
-    "to it: on or off (the paper)"};
+    "to it: on or off (the paper)",
+    false};
 
 inline constexpr ChoiceSetting<bool, 2> blind_spot{
     "Raw scans", "blind_spot", "WHEN", true,

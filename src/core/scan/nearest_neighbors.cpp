@@ -168,6 +168,8 @@ NearestNeighbors::NearestNeighbors(const Points& points,
 {
   distances_.assign(points.size(), 0.0f);
   const Places places = findPlaces(points);
+  for (const pcl::index_t place : places.place)
+    first_.push_back(places.first[static_cast<std::size_t>(place)]);
   if (places.first.size() < 2)
     return;
   count_ = std::min(wanted, places.first.size() - 1);

@@ -40,7 +40,7 @@ public:
    *  \param[in] execution threads and progress; never change a result
    *  \param[in] wanted neighbors to look for, most_near to most
    *  \throws CIDCancelled
-   *  \note Cost: O(N log N), 40 bytes a point while this object lives (72 with the most
+   *  \note Cost: O(N log N), 44 bytes a point while this object lives (76 with the most
    *  neighbors), and about twice that while it is made. */
   NearestNeighbors(const Points& points,
                    const ExecutionOptions& execution,
@@ -74,6 +74,14 @@ public:
     return neighbors_[point * count_ + k];
   }
 
+  /** \brief The first of the points that are where a point is: itself, unless it is
+   *  repeated. */
+  pcl::index_t
+  firstAt(std::size_t point) const
+  {
+    return first_[point];
+  }
+
   /** \brief A point of each place that has one, in the order of a kd-tree: those near
    *  each other in a row. Empty when there is only one place. */
   const pcl::Indices&
@@ -94,6 +102,7 @@ private:
   pcl::Indices neighbors_; ///< count_ for each point, nearest first
   std::vector<float> distances_;
   pcl::Indices places_;
+  pcl::Indices first_; ///< of the points at the same place
 };
 
 } // namespace pcl_cid

@@ -27,6 +27,8 @@ SurfaceGraph::SurfaceGraph(const Points& points, const NearestNeighbors& neighbo
   ends_.reserve(points.size() * edges);
   for (std::size_t i = 0; i < points.size(); ++i) {
     begin_.push_back(ends_.size());
+    if (neighbors.firstAt(i) != static_cast<pcl::index_t>(i))
+      ends_.push_back(neighbors.firstAt(i));
     const float longest = longest_edge * neighbors.reach(i);
     for (std::size_t k = 0; k < edges; ++k) {
       const pcl::index_t q = neighbors.neighbor(i, k);

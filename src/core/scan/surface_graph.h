@@ -18,8 +18,9 @@
 namespace pcl_cid {
 
 /** \brief Edges from every point to its nearest neighbors (*ours*): at most twelve,
- * none much longer than the spacing there, so that none crosses a gap. An edge joins
- * both of its points, though only one of them may list it. */
+ *  none much longer than the spacing there, so that none crosses a gap, and to the
+ * first of the points at the same place. An edge joins both of its points, though only
+ * one of them may list it. */
 class SurfaceGraph {
 public:
   static constexpr std::size_t most_edges = 12;

@@ -34,9 +34,7 @@ void
 configureAsInThePaper(int subsample, CIDParameters& parameters)
 {
   parameters.setSubsample(subsample);
-  parameters.setDensityWeight(DensityWeight::off);
-  parameters.setIsolatedNeighbors(0);
-  parameters.setFillBlindSpot(false);
+  parameters.setPaperSettings();
 }
 
 } // namespace

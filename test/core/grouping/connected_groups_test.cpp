@@ -113,6 +113,19 @@ firstOf(const Points& points, std::size_t count)
                     static_cast<std::ptrdiff_t>(std::min(count, points.size())));
 }
 
+/** Points that are given twice hang together. */
+TEST(ConnectedGroups, OfRepeatedPointsAreTheSame)
+{
+  const Points once = twoBoxes(300, 8);
+  Points twice = once;
+  twice.insert(twice.end(), once.begin(), once.end());
+  Grouping grouping(preparedWithGraph(twice));
+  grouping.propose(12);
+  const auto groups = grouping.groupsOfWorkingPoints();
+  for (std::size_t i = 0; i < once.size(); ++i)
+    EXPECT_EQ(groups[i], groups[i + once.size()]) << i;
+}
+
 TEST(ConnectedGroups, AreThoseOfALiteralSearch)
 {
   std::vector<NamedPoints> clouds = allClouds();

@@ -229,6 +229,8 @@ protected:
     coarse.step = 6.0f;
     scan_ = rawScan(lidarScan(coarse));
     scan_.sensor = SensorPose();
+    settings_.normals = 0.0f; // the oracle has neither
+    settings_.connected = false;
   }
 
   PreparedScan::ConstPtr

@@ -57,13 +57,14 @@ TEST_F(RawScanOptions, AreDecidedAndReported)
   EXPECT_EQ(parameters["isolated_neighbors"], 4);
   EXPECT_EQ(parameters["seeding"], "farthest");
   EXPECT_EQ(parameters["color"], 0.0);
+  EXPECT_FLOAT_EQ(parameters["normals"], 0.03f);
+  EXPECT_EQ(parameters["connected"], "on");
   const double spread = by_default["density"]["spread"];
   EXPECT_EQ(by_default["density"]["weighted"], spread >= uneven_spread);
   EXPECT_GE(by_default["density"]["isolated_points"], 0);
 
   EXPECT_EQ(reportOf({"--density", "on"})["density"]["weighted"], true);
-  const nlohmann::json off =
-      reportOf({"--density", "off", "--isolated-neighbors", "0"})["density"];
+  const nlohmann::json off = reportOf({"--paper"})["density"];
   EXPECT_EQ(off["weighted"], false);
   EXPECT_TRUE(off["spread"].is_null()) << "nothing needs it";
   EXPECT_EQ(off["isolated_points"], 0);

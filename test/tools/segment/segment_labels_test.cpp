@@ -27,6 +27,7 @@ TEST_F(SegmentTool, ProposesSeedsAndReadsTheirLabelsBack)
            file("groups.pcd"),
            "--propose",
            file("seeds.csv"),
+           "--paper",
            "--start-index",
            "100"});
   const std::string table = readText(file("seeds.csv"));
@@ -41,7 +42,7 @@ TEST_F(SegmentTool, ProposesSeedsAndReadsTheirLabelsBack)
   for (int row = 0; std::getline(lines, line); ++row)
     filled += line + (row < 11 ? std::to_string(1000 + row) : "") + "\n";
   writeText(file("seeds.csv"), filled);
-  segment({scan_, file("labelled.pcd"), "--labels", file("seeds.csv")});
+  segment({scan_, file("labelled.pcd"), "--paper", "--labels", file("seeds.csv")});
 
   const Labels groups = labelsIn(file("groups.pcd"));
   const Labels labels = labelsIn(file("labelled.pcd"));

@@ -152,10 +152,23 @@ TEST_F(SegmentTool, GivesTheSameLabelsInOtherUnitsAndFrames)
   saveCloud(file("mm.pcd"), movedScan<float>(1024, zero), pcd_binary);
   saveCloud(file("utm.pcd"), movedScan<double>(1, utm), pcd_binary);
   saveCloud(file("utm.ply"), movedScan<double>(1, utm), ply_ascii);
-  segment({file("m.pcd"), file("out.pcd"), "--propose", file("m.csv")});
+  // The normal weight is a length, in the unit of the coordinates.
+  const std::string weight = std::to_string(setting::normals.initial);
+  const std::string of_mm = std::to_string(1024 * setting::normals.initial);
+  segment({file("m.pcd"),
+           file("out.pcd"),
+           "--propose",
+           file("m.csv"),
+           "--normals",
+           weight});
   const Labels labels = labelsIn(file("out.pcd"));
   for (const char* const moved : {"mm.pcd", "utm.pcd", "utm.ply"}) {
-    segment({file(moved), file("out.pcd"), "--propose", file("moved.csv")});
+    segment({file(moved),
+             file("out.pcd"),
+             "--propose",
+             file("moved.csv"),
+             "--normals",
+             std::string(moved) == "mm.pcd" ? of_mm : weight});
     EXPECT_EQ(labelsIn(file("out.pcd")), labels) << moved;
     const LabelledCloud kept = readCloud(file("out.pcd"));
     const LabelledCloud before = readCloud(file(moved));
