@@ -99,8 +99,8 @@ struct PreparationSettings {
 struct DensityDecision {
   /** Whether CIDs are weighted by the local spacing. */
   bool weighted = false;
-  /** How uneven the spacing is: its 90 % quantile over its 10 % quantile, by area; 0
-   *  where no setting needs it. */
+  /** How much more the spacing differs between regions than within one (see
+   *  doc/core/prepared_scan.md); 0 where no setting needs it, and for one place. */
   float spread = 0.0f;
   /** Points that are worked on, and are isolated. */
   std::size_t isolated_points = 0;

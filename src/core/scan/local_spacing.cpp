@@ -74,6 +74,13 @@ withoutStray(const std::vector<float>& reaches)
   return kept;
 }
 
+/** How many times a larger value is a smaller one; 1 where that is 0. */
+float
+ratioOf(float larger, float smaller)
+{
+  return smaller > 0.0f ? larger / smaller : 1.0f;
+}
+
 Region
 regionOf(std::vector<float> reaches)
 {
@@ -81,7 +88,7 @@ regionOf(std::vector<float> reaches)
   for (const float reach : reaches)
     area += static_cast<double>(reach) * static_cast<double>(reach);
   const float low = quantileOf(reaches, 0.1);
-  return {area, quantileOf(reaches, 0.5), quantileOf(reaches, 0.9) / low};
+  return {area, quantileOf(reaches, 0.5), ratioOf(quantileOf(reaches, 0.9), low)};
 }
 
 std::vector<Region>
@@ -149,12 +156,12 @@ spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated)
 {
   const std::vector<float> reaches = reachesThatCount(neighbors, isolated);
   if (reaches.empty())
-    return 1.0f;
+    return 0.0f;
   const std::vector<Region> regions = regionsOf(withoutStray(reaches));
   const auto at = [&](float Region::*value, double share) {
     return quantileByArea(regions, value, share);
   };
-  const float between = at(&Region::spacing, 0.9) / at(&Region::spacing, 0.1);
+  const float between = ratioOf(at(&Region::spacing, 0.9), at(&Region::spacing, 0.1));
   return between / std::max(at(&Region::spread, 0.5), least_spread);
 }
 

@@ -57,7 +57,7 @@ localSpacing(const NearestNeighbors& neighbors, float power);
  *  \param[in] neighbors of the points
  *  \param[in] isolated further points that do not count (see isolatedPoints()),
  *  ascending
- *  \return above 0; 1 for a cloud that has no spacing */
+ *  \return above 0; 0 for a cloud that has no spacing */
 float
 spacingSpread(const NearestNeighbors& neighbors, const pcl::Indices& isolated);
 

@@ -128,7 +128,7 @@ TEST_P(SpacingOfPoints, IsAboveZeroAndFinite)
   for (const float spacing : localSpacing(neighbors, 4.0f))
     ASSERT_TRUE(spacing > 0.0f && std::isfinite(spacing)) << spacing;
   const float spread = spacingSpread(neighbors, {});
-  EXPECT_TRUE(spread > 0.0f && std::isfinite(spread)) << spread;
+  EXPECT_TRUE(spread >= 0.0f && std::isfinite(spread)) << spread;
 }
 
 INSTANTIATE_TEST_SUITE_P(AllClouds,
@@ -167,6 +167,12 @@ TEST(SpacingSpread, FromPointToPointDoesNotCount)
   const auto [least, most] = std::minmax_element(spacing.begin(), spacing.end());
   EXPECT_GE(*most / *least, 2.0f);
   EXPECT_LT(spacingSpread(neighbors, {}), uneven_spread);
+}
+
+TEST(SpacingSpread, OfOnePlaceIsNone)
+{
+  EXPECT_EQ(spacingSpread(neighborsOf(Points(5, Eigen::Vector3f::Ones())), {}), 0.0f);
+  EXPECT_EQ(spacingSpread(neighborsOf({}), {}), 0.0f);
 }
 
 /// By hand: half of the area has one spacing, and half three times that; the borders
