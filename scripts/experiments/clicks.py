@@ -62,11 +62,12 @@ def annotate(item, programs, folder):
 
 
 def settings_of(scan):
-    """By name. A scan without colors has none that names them."""
+    """By name. A scan without colors has no setting of its own for them."""
     if has_color(scan):
         return SETTINGS
-    return {name: changed for name, changed in SETTINGS.items()
-            if changed.get("color", DEFAULT) == DEFAULT or name == "all"}
+    return {name: {key: value for key, value in changed.items() if key != "color"}
+            for name, changed in SETTINGS.items()
+            if "color" not in changed or name in ("all", "defaults")}
 
 
 def is_measured(name, protocol):
@@ -75,10 +76,9 @@ def is_measured(name, protocol):
     return protocol == "proposals" or name not in ONLY_WITH_PROPOSALS
 
 
-def options_of(scan, name):
-    """All but the color of a scan that has none."""
-    changed = settings_of(scan)[name]
-    return {key: value for key, value in changed.items() if key != "color" or has_color(scan)}
+def over_instances(pairs, figure, k):
+    """A figure after the k-th number of clicks, over all instances of all scans and starts."""
+    return weighted([result["scores"][k] for _, result in pairs], figure, "instances")
 
 
 class Clicks:
@@ -92,9 +92,9 @@ class Clicks:
     @staticmethod
     def named(scan, options):
         """(name of the setting, item) pairs."""
-        return [(name, Item(scan, "clicks", {"protocol": protocol, "start": start,
-                                             **options_of(scan, name)}, annotate))
-                for protocol in PROTOCOLS for name in settings_of(scan)
+        return [(name, Item(scan, "clicks", {"protocol": protocol, "start": start, **changed},
+                            annotate))
+                for protocol in PROTOCOLS for name, changed in settings_of(scan).items()
                 if is_measured(name, protocol)
                 # By the rules of AGILE3D, nothing is drawn.
                 for start in range(1 if protocol == "agile3d" else options.starts)]
@@ -139,16 +139,15 @@ class Clicks:
 
     @staticmethod
     def row(name, pairs, protocol):
-        """Of a setting: over all instances of all scans, and the mean of the starts."""
+        """Of a setting."""
         seconds = mean(result["seconds"] for _, result in pairs)
         if protocol == "agile3d":
             scores = [result["scores"][0] for _, result in pairs]
             figures = {figure: mean(score[figure] for score in scores)
                        for figure in FIGURES[protocol]}
         else:
-            figures = {f"{figure} at {clicks}": weighted(
-                [result["scores"][k] for _, result in pairs], figure, "instances")
-                for figure in FIGURES[protocol] for k, clicks in enumerate(CLICKS)}
+            figures = {f"{figure} at {clicks}": over_instances(pairs, figure, k)
+                       for figure in FIGURES[protocol] for k, clicks in enumerate(CLICKS)}
         return {"setting": name, **figures, "seconds": seconds}
 
     @staticmethod
@@ -167,8 +166,7 @@ class Clicks:
                 figure.subplots(1, len(tables), sharey=True, squeeze=False)[0], tables.items()):
             for name, pairs in named.items():
                 i = list(SETTINGS).index(name)
-                axes.plot(CLICKS, [weighted([result["scores"][k] for _, result in pairs],
-                                            "mean_iou", "instances")
+                axes.plot(CLICKS, [over_instances(pairs, "mean_iou", k)
                                    for k in range(len(CLICKS))],
                           label=name, color=f"C{i % 10}", linestyle="-" if i < 10 else "--")
             axes.set(title=f"{protocol}: {place}", xlabel="clicks", ylim=(0, 1.02))

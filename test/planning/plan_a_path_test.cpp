@@ -193,14 +193,17 @@ TEST_F(PlanAPathThrough, ADoor)
 }
 
 /** 0.4 m between a cupboard, as high as the room, and the wall: hardly more than the
- *  0.32 m of the sphere that is checked. */
+ *  0.32 m of the sphere that is checked. By CID, the way through is closed. */
 TEST_F(PlanAPathThrough, AGapAtTheWall)
 {
-  makeRoomWith(5.0, {makeBox(2.3, 2.7, 0.0, depth - 0.4, 0.0, height)});
+  makeRoomWith(5.0, {makeBox(2.1, 2.9, 0.0, depth - 0.4, 0.0, height)});
   const std::vector<std::string> ends{"1", "1", "1.2", "4", "1", "1.2"};
   const ToolRun run = planBy("hull", ends);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   expectGoodPath(pathIn(run.out), scan_);
+  const ToolRun by_cid = planBy("cid", ends);
+  EXPECT_EQ(by_cid.exit_code, 1);
+  EXPECT_NE(by_cid.err.find("no path was found"), std::string::npos) << by_cid.err;
 }
 
 TEST(PlanAPath, StaysWhereTheCameraSawTheOffice)

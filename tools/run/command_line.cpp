@@ -99,10 +99,11 @@ CommandLine::flag(const std::string& name, bool& target, const std::string& help
 void
 CommandLine::paperOption()
 {
-  flag("paper",
-       as_in_paper_,
-       "as in the paper, but for what is given: each option whose default is another "
-       "has the paper's");
+  groups_.back().add_options()(
+      "paper",
+      po::bool_switch(),
+      "as in the paper, but for what is given: each option whose default is another "
+      "has the paper's");
 }
 
 void
@@ -236,6 +237,7 @@ CommandLine::read(int argc, const char* const* argv, std::vector<std::string>& g
                   .style(style)
                   .run(),
               values);
+    // Before what is given, which po::notify() takes.
     if (values.count("paper") != 0 && values["paper"].as<bool>())
       for (const auto& set : set_paper_)
         set();

@@ -277,8 +277,7 @@ private:
   std::string usage_;
   std::string about_;
   std::vector<boost::program_options::options_description> groups_;
-  bool as_in_paper_ = false;
-  std::vector<std::function<void()>> set_paper_; ///< the targets of rows that have it
+  std::vector<std::function<void()>> set_paper_; ///< for each row that has `in_paper`
   std::vector<std::pair<std::string, std::string>> exclusive_;
   std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;
 };

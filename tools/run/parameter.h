@@ -12,6 +12,7 @@
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/io/report.h>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,13 +21,26 @@
 
 namespace pcl_cid::tools {
 
+/** \brief The double that is written as a float is: 0.03, not 0.0299999993. */
+inline double
+asWritten(float value)
+{
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+  double read = 0.0;
+  std::from_chars(text, end, read);
+  return read;
+}
+
 /** \brief A number. */
 template <typename Value, typename Number>
 Report::Parameter
 parameter(const NumberSetting<Value>& row, Number value)
 {
   static_assert(std::is_arithmetic_v<Number>);
-  if constexpr (std::is_floating_point_v<Number>)
+  if constexpr (std::is_same_v<Number, float>)
+    return {row.name, asWritten(value)};
+  else if constexpr (std::is_floating_point_v<Number>)
     return {row.name, double{value}};
   else if constexpr (std::is_same_v<Number, std::uint64_t>)
     return {row.name, value};

@@ -28,8 +28,8 @@ struct ExecutionOptions {
   ProgressCallback progress;
 };
 
-/** \brief How to run one step of a work: its fractions 0 to 1 are those from \a begin
- * to \a end of the whole. */
+/** \brief How to run one step of a work: the callback of the whole hears fractions from
+ *  \a begin to \a end. */
 inline ExecutionOptions
 partOf(const ExecutionOptions& execution, double begin, double end)
 {

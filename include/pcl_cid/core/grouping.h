@@ -212,8 +212,9 @@ private:
   PreparedScan::ConstPtr scan_;
   GroupingSettings settings_;
   std::unique_ptr<BlockGroups> groups_;
-  std::shared_ptr<KnownCosts>
-      known_costs_;              ///< with all copies, as they are of the scan
+  /** Shared with copies, as costs are of the scan; null where groups stay as they are.
+   */
+  std::shared_ptr<KnownCosts> known_costs_;
   std::vector<float> coverages_; ///< r_k for the first seeds, as far as it is known
   float coverage_;
   std::size_t comparisons_ = 0;

@@ -37,7 +37,7 @@ struct NumberSetting {
   /** What 0 means, as it follows "0": "for all"; null where it is a value like any
    *  other. With a meaning, it is allowed even where the range leaves it out. */
   const char* zero = nullptr;
-  /** What the paper has, where that is not the default. */
+  /** What the paper has, where that is not the default (of a tool, either). */
   std::optional<Value> in_paper = std::nullopt;
 
   /** \brief What the paper has. */
@@ -254,6 +254,7 @@ inline constexpr NumberSetting<int> group_samples{
     "Parts", "group_samples", "group sample size", "G", "", 32, 1, 1 << 20,
     "points drawn from each group; its group CIDs are means of so many pairs"};
 
+// A tool has another default where nothing is asked about groups, hence the paper's here.
 inline constexpr ChoiceSetting<MergingRule, 2> merging{
     "Parts", "merging", "RULE", MergingRule::cid,
     {{{"cid", MergingRule::cid}, {"hull", MergingRule::hull}}},

@@ -142,7 +142,8 @@ Grouping::Grouping(PreparedScan::ConstPtr scan, const GroupingSettings& settings
 {
   require(setting::samples, settings.samples);
   groups_ = emptyGroups(notNull(scan_), settings_);
-  known_costs_ = std::make_shared<KnownCosts>(scan_->working(), settings_.samples);
+  if (scan_->graph())
+    known_costs_ = std::make_shared<KnownCosts>(scan_->working(), settings_.samples);
   coverage_ = no_coverage;
 }
 

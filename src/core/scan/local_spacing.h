@@ -44,8 +44,7 @@ localSpacing(const NearestNeighbors& neighbors, float power);
 
 /** \brief How uneven the spacing is: how much more it differs between regions than
  *  within one. A region is about a four hundredth of the points; its spacing is their
- *  median, and both differences are that of the 90 % from the 10 % quantile, as a
- * ratio.
+ *  median. Both differences are ratios, of the 90 % quantile to the 10 % quantile.
  *
  *  What a sensor sees gets sparse and noisy with the range, and so from region to
  *  region. Spacing that changes from point to point and is the same everywhere on the

@@ -57,7 +57,7 @@ TEST_F(RawScanOptions, AreDecidedAndReported)
   EXPECT_EQ(parameters["isolated_neighbors"], 4);
   EXPECT_EQ(parameters["seeding"], "farthest");
   EXPECT_EQ(parameters["color"], 0.0);
-  EXPECT_FLOAT_EQ(parameters["normals"], 0.03f);
+  EXPECT_EQ(parameters["normals"], 0.03);
   EXPECT_EQ(parameters["connected"], "on");
   const double spread = by_default["density"]["spread"];
   EXPECT_EQ(by_default["density"]["weighted"], spread >= uneven_spread);
