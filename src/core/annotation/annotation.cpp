@@ -10,9 +10,9 @@
 #include "base/sentence.h"
 #include "cid/working_points.h"
 
-#include "clicked_grouping.h"
-#include "inmost_point.h"
-#include "radius_graph.h"
+#include "clicked_session.h"
+#include "session/inmost_point.h"
+#include "session/radius_graph.h"
 #include "wrong_regions.h"
 #include <pcl_cid/exceptions.h>
 
@@ -48,7 +48,7 @@ share(std::size_t clicks, const std::vector<std::size_t>& counts)
 /** The annotator who corrects. */
 class Corrections {
 public:
-  Corrections(ClickedGrouping& clicked, const ExecutionOptions& execution)
+  Corrections(ClickedSession& clicked, const ExecutionOptions& execution)
   : clicked_(clicked)
   , threads_(execution.threads)
   , graph_(
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  ClickedGrouping& clicked_;
+  ClickedSession& clicked_;
   unsigned int threads_;
   RadiusGraph graph_;
   InmostPoints inmost_points_;
@@ -88,7 +88,7 @@ annotateProposals(const AnnotationTask& task,
                   const ExecutionOptions& execution)
 {
   requireCounts(counts);
-  ClickedGrouping clicked(task, ClickedGrouping::Looks::rare);
+  ClickedSession clicked(task, ClickedSession::Looks::rare);
   std::vector<AnnotationState> states;
   double done = 0.0; // of the progress
   for (const std::size_t count : counts) {
@@ -107,7 +107,7 @@ annotateCorrections(const AnnotationTask& task,
                     const ExecutionOptions& execution)
 {
   requireCounts(counts);
-  ClickedGrouping clicked(task, ClickedGrouping::Looks::after_click);
+  ClickedSession clicked(task, ClickedSession::Looks::after_click);
   Corrections corrections(clicked, partOf(execution, 0.0, 0.0));
   Progress progress(execution.progress);
   std::vector<AnnotationState> states;

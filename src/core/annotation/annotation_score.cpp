@@ -7,7 +7,7 @@
  * What the labels after some clicks are worth.
  */
 
-#include "clicked_grouping.h"
+#include "clicked_session.h"
 #include <pcl_cid/core/annotation.h>
 #include <pcl_cid/core/evaluation.h>
 

@@ -7,11 +7,12 @@
  * The protocol of AGILE3D, on voxels.
  */
 
+#include "base/parallel_for.h"
 #include "base/sentence.h"
 #include "cid/working_points.h"
 
-#include "clicked_grouping.h"
-#include "inmost_point.h"
+#include "clicked_session.h"
+#include "session/inmost_point.h"
 #include "wrong_regions.h"
 #include <pcl_cid/exceptions.h>
 
@@ -72,7 +73,7 @@ requireOptions(const VoxelAnnotationOptions& options)
 /** The annotator, who sees voxels by their first points. */
 class VoxelAnnotator {
 public:
-  VoxelAnnotator(ClickedGrouping& clicked, float side, unsigned int threads)
+  VoxelAnnotator(ClickedSession& clicked, float side, unsigned int threads)
   : clicked_(clicked)
   , threads_(threads)
   , voxels_(findVoxels(clicked.scan().working().points(), side))
@@ -135,7 +136,7 @@ public:
   }
 
 private:
-  ClickedGrouping& clicked_;
+  ClickedSession& clicked_;
   unsigned int threads_;
   Voxels voxels_;
   Labels truth_; ///< of voxels
@@ -153,7 +154,7 @@ annotateVoxels(const AnnotationTask& task,
                const ExecutionOptions& execution)
 {
   requireOptions(options);
-  ClickedGrouping clicked(task, ClickedGrouping::Looks::after_click);
+  ClickedSession clicked(task, ClickedSession::Looks::after_click);
   VoxelAnnotator annotator(clicked, options.voxel, execution.threads);
   Progress progress(execution.progress);
   annotator.clickAll(partOf(execution, 0.0, 0.0));

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "radius_graph.h"
+#include "session/radius_graph.h"
 
 #include <cstdint>
 #include <vector>

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "annotation/inmost_point.h"
+#include "session/inmost_point.h"
 #include "annotation/wrong_regions.h"
 #include "scan/nearest_neighbors.h"
 

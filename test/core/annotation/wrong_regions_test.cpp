@@ -7,8 +7,8 @@
  * Neighbors, wrong regions and inmost points, against brute force.
  */
 
-#include "annotation/inmost_point.h"
-#include "annotation/radius_graph.h"
+#include "session/inmost_point.h"
+#include "session/radius_graph.h"
 #include "annotation/wrong_regions.h"
 #include "clouds.h"
 #include "literal_regions.h"

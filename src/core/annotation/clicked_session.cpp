@@ -11,8 +11,7 @@
 #include "cid/working_points.h"
 #include "scan/working_set.h"
 
-#include "clicked_grouping.h"
-#include <pcl_cid/core/label_cleaning.h>
+#include "clicked_session.h"
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
@@ -65,8 +64,8 @@ truthOfGrouped(const AnnotationTask& task)
 
 } // namespace
 
-ClickedGrouping::ClickedGrouping(const AnnotationTask& task, Looks looks)
-: grouping_(requireTask(task).scan, settingsFor(task, looks == Looks::after_click))
+ClickedSession::ClickedSession(const AnnotationTask& task, Looks looks)
+: session_(requireTask(task).scan, settingsFor(task, looks == Looks::after_click))
 , clean_up_(task.clean_up)
 , cloud_truth_(truthOfGrouped(task))
 {
@@ -78,43 +77,54 @@ ClickedGrouping::ClickedGrouping(const AnnotationTask& task, Looks looks)
 }
 
 void
-ClickedGrouping::propose(std::size_t seeds, const ExecutionOptions& execution)
+ClickedSession::propose(std::size_t seeds, const ExecutionOptions& execution)
 {
-  grouping_.propose(seeds, 0.0f, execution);
-  updateLabels({execution.threads, {}});
-}
-
-void
-ClickedGrouping::click(const pcl::Indices& points, const ExecutionOptions& execution)
-{
-  pcl::Indices seeds;
-  for (const pcl::index_t point : points)
-    seeds.push_back(scan().workingSet().cloudIndexOf(point));
-  grouping_.addSeeds(seeds, execution);
-  updateLabels({execution.threads, {}});
-}
-
-void
-ClickedGrouping::updateLabels(const ExecutionOptions& execution)
-{
-  std::vector<std::uint32_t> label_of_seed;
-  for (const pcl::index_t seed : grouping_.seeds())
-    label_of_seed.push_back(cloud_truth_[static_cast<std::size_t>(seed)]);
-  if (clean_up_) {
-    const std::vector<std::uint32_t> cleaned =
-        cleanBoundaries(grouping_, label_of_seed, {}, execution);
-    for (std::size_t i = 0; i < labels_.size(); ++i)
-      labels_[i] = cleaned[static_cast<std::size_t>(
-          scan().workingSet().cloudIndexOf(static_cast<pcl::index_t>(i)))];
+  if (seeds <= clicks())
     return;
+  session_.apply(action::Propose{seeds - clicks()}, execution);
+  for (const SessionSeed& seed : session_.seeds())
+    if (!seed.label)
+      session_.apply(action::Label{seed.point, answerFor(seed.point)},
+                     {execution.threads, {}});
+  updateLabels({execution.threads, {}});
+}
+
+void
+ClickedSession::click(const pcl::Indices& points, const ExecutionOptions& execution)
+{
+  for (const pcl::index_t point : points) {
+    const pcl::index_t seed = scan().workingSet().cloudIndexOf(point);
+    session_.apply(action::Click{{seed}, answerFor(seed)}, execution);
   }
-  const std::vector<pcl::index_t> group = grouping_.groupsOfWorkingPoints(execution);
-  for (std::size_t i = 0; i < group.size(); ++i)
-    labels_[i] = label_of_seed[static_cast<std::size_t>(group[i])];
+  updateLabels({execution.threads, {}});
+}
+
+/** The true label of a seed: none, or an instance, which is made where it is not there.
+ */
+action::Answer
+ClickedSession::answerFor(pcl::index_t seed) const
+{
+  const std::uint32_t label = cloud_truth_[static_cast<std::size_t>(seed)];
+  if (label == 0)
+    return 0u;
+  for (const LabelledInstance& instance : session_.instances())
+    if (instance.label == label)
+      return label;
+  return action::NewInstance{"", "", label};
+}
+
+void
+ClickedSession::updateLabels(const ExecutionOptions& execution)
+{
+  const std::vector<std::uint32_t> labels =
+      clean_up_ ? session_.cleanedLabels({}, execution) : session_.labels();
+  for (std::size_t i = 0; i < labels_.size(); ++i)
+    labels_[i] = labels[static_cast<std::size_t>(
+        scan().workingSet().cloudIndexOf(static_cast<pcl::index_t>(i)))];
 }
 
 AnnotationState
-ClickedGrouping::state(const std::vector<std::uint32_t>& labels) const
+ClickedSession::state(const std::vector<std::uint32_t>& labels) const
 {
   const std::size_t size = cloud_truth_.size();
   const PointLabels truth{cloud_truth_,

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/annotation.h>
+#include <pcl_cid/core/label_session.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,11 +21,11 @@ namespace pcl_cid {
 /** \brief The class that all instances have. */
 constexpr std::uint32_t class_of_instances = 1;
 
-/** \brief A grouping whose seeds have their true labels, one for each click.
+/** \brief A session in which each seed has its true label, one for each click.
  *
  *  Points are those that are worked on, by their index (see PreparedScan::working()).
  */
-class ClickedGrouping {
+class ClickedSession {
 public:
   /** How often labels are asked for. Either gives the same ones. */
   enum class Looks {
@@ -33,12 +34,12 @@ public:
   };
 
   /** \throws CIDException when the task is not one */
-  ClickedGrouping(const AnnotationTask& task, Looks looks);
+  ClickedSession(const AnnotationTask& task, Looks looks);
 
   const PreparedScan&
   scan() const
   {
-    return grouping_.scan();
+    return session_.scan();
   }
 
   /** \brief True label of each point. */
@@ -58,7 +59,7 @@ public:
   std::size_t
   clicks() const
   {
-    return grouping_.numberOfSeeds();
+    return session_.grouping().numberOfSeeds();
   }
 
   /** \brief Let Algorithm 1 propose where to click, as far as there is anything left.
@@ -87,7 +88,10 @@ private:
   void
   updateLabels(const ExecutionOptions& execution);
 
-  Grouping grouping_;
+  action::Answer
+  answerFor(pcl::index_t seed) const;
+
+  LabelSession session_;
   bool clean_up_;
   std::vector<std::uint32_t> cloud_truth_; ///< of all points; 0 for those left out
   std::vector<std::uint32_t> truth_;
