@@ -59,10 +59,10 @@ requireConsistent(const LabelledInstances& scan,
 {
   if (scan.label.size() != points)
     throw CIDException(sentence(name,
-                                ": there are ",
-                                countOf(scan.label.size(), "label"),
-                                " for ",
+                                ": has ",
                                 countOf(points, "point"),
+                                ", but there are labels for ",
+                                scan.label.size(),
                                 "; there must be one for each"));
   requireOwnLabels(scan.instances, name);
   const auto place = placeOfLabel(scan.instances);

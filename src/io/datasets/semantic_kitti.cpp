@@ -99,7 +99,10 @@ std::string
 quoted(const std::string& text)
 {
   using Json = nlohmann::json;
-  return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
+  // JSON escapes what is beyond 16 bits as two halves, which YAML would not join.
+  const bool has_long_letters = std::any_of(
+      text.begin(), text.end(), [](unsigned char byte) { return byte >= 0xF0; });
+  return Json(text).dump(-1, ' ', !has_long_letters, Json::error_handler_t::replace);
 }
 
 void
