@@ -81,6 +81,33 @@ private:
   std::string line_;
 };
 
+/** See s3disFileClass().
+ *  \param[in] where what the message begins with */
+std::string
+fileClass(const std::string& class_name, const std::string& where)
+{
+  constexpr const char* digits = "0123456789abcdef";
+  if (class_name.empty())
+    return no_class;
+  std::string name;
+  for (const unsigned char byte : class_name)
+    if ((byte >= 'a' && byte <= 'z') || (byte >= '0' && byte <= '9') || byte == '-')
+      name += static_cast<char>(byte);
+    else if (byte == ' ')
+      name += '+';
+    else
+      name += {'%', digits[byte / 16], digits[byte % 16]};
+  if (name.size() > longest_name)
+    throw CIDException(sentence(where,
+                                "the class '",
+                                class_name,
+                                "' takes ",
+                                name.size(),
+                                " bytes in the name of a file; it must take at most ",
+                                longest_name));
+  return name;
+}
+
 /** Whether it is `<class>_<n>.txt`. */
 bool
 isAnnotation(const fs::path& path)
@@ -116,7 +143,8 @@ public:
   void
   writeInstance(const InstancePoints& instance, PointLines& lines)
   {
-    const std::string name = s3disFileClass(instance.instance.class_name);
+    const std::string name =
+        fileClass(instance.instance.class_name, annotations_.string() + ": ");
     const std::string number = std::to_string(++instances_of_class_[name]);
     write(annotations_ / (name + "_" + number + ".txt"), [&](std::ostream& stream) {
       for (const std::size_t point : instance.points)
@@ -203,25 +231,7 @@ private:
 std::string
 s3disFileClass(const std::string& class_name)
 {
-  constexpr const char* digits = "0123456789abcdef";
-  if (class_name.empty())
-    return no_class;
-  std::string name;
-  for (const unsigned char byte : class_name)
-    if ((byte >= 'a' && byte <= 'z') || (byte >= '0' && byte <= '9') || byte == '-')
-      name += static_cast<char>(byte);
-    else if (byte == ' ')
-      name += '+';
-    else
-      name += {'%', digits[byte / 16], digits[byte % 16]};
-  if (name.size() > longest_name)
-    throw CIDException(sentence("the class '",
-                                class_name,
-                                "' takes ",
-                                name.size(),
-                                " bytes in the name of a file; it must take at most ",
-                                longest_name));
-  return name;
+  return fileClass(class_name, "");
 }
 
 void

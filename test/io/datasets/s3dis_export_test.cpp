@@ -279,7 +279,7 @@ TEST_F(S3DISExport, TellsNastyClassesApart)
   EXPECT_EQ(readS3DISRoom(room_, {}).size(), names.size());
   EXPECT_EQ(
       complaint(cloudOf<float>({{1, 2, 3}}), {{1}, {{1, std::string(201, 'a'), ""}}}),
-      "the class '" + std::string(201, 'a') +
+      room_ + "/Annotations: the class '" + std::string(201, 'a') +
           "' takes 201 bytes in the name of a file; it must take at most 200");
 }
 
