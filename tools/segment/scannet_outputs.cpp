@@ -9,53 +9,15 @@
 
 #include "scannet_outputs.h"
 
-#include <pcl_cid/io/class_names.h>
 #include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/io/scannet.h>
+#include <pcl_cid/io/scannet_annotation.h>
 #include <pcl_cid/io/scannet_export.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <ostream>
 
 namespace pcl_cid::tools {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string
-listPath(const ScannetSettings& settings, const std::string& scan_id)
-{
-  return fs::path(settings.submission) / (scan_id + ".txt");
-}
-
-std::string
-maskFolder(const ScannetSettings& settings)
-{
-  return fs::path(settings.submission) / mask_folder;
-}
-
-/** Those of the classes that the benchmark has; it takes no others. */
-std::vector<PredictedInstance>
-ofBenchmarkClasses(std::vector<PredictedInstance> instances)
-{
-  const auto isNot = [](const PredictedInstance& instance) {
-    return !className(scannetBenchmarkClasses(), instance.semantic);
-  };
-  instances.erase(std::remove_if(instances.begin(), instances.end(), isNot),
-                  instances.end());
-  return instances;
-}
-
-void
-announceOldMasks(const std::string& folder,
-                 const std::string& scan_id,
-                 OutputFiles& outputs)
-{
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (isMaskFileName(entry.path().filename().string(), scan_id))
-      outputs.announceRemoval(entry.path().string());
-}
 
 void
 writeSubmission(const ScannetSettings& settings,
@@ -68,18 +30,8 @@ writeSubmission(const ScannetSettings& settings,
   const std::vector<PredictedInstance> instances = ofBenchmarkClasses(all);
   console.value("Instances of the benchmark's classes",
                 std::to_string(instances.size()) + " of " + std::to_string(all.size()));
-  const std::string folder = maskFolder(settings);
-  announceOldMasks(folder, scan.name, outputs);
-  for (std::size_t i = 0; i < instances.size(); ++i) {
-    const std::string path = fs::path(folder) / maskFileName(scan.name, i);
-    outputs.announce(path);
-    outputs.write(path, [&](std::ostream& stream) {
-      writeMask(stream, scan.labels, instances[i].label);
-    });
-  }
-  outputs.write(listPath(settings, scan.name), [&](std::ostream& stream) {
-    writePredictions(stream, scan.name, instances);
-  });
+  writeScannetSubmission(
+      settings.submission, scan.name, scan.labels, instances, outputs);
 }
 
 } // namespace
@@ -119,9 +71,7 @@ announceScannetOutputs(const ScannetSettings& settings,
     if (!isScannetScan(input))
       throw CIDException(input + ": is no scan of ScanNet; --scannet-submission needs "
                                  "one, for its id and its classes");
-    outputs.announceFolder(settings.submission);
-    outputs.announceFolder(maskFolder(settings));
-    outputs.announce(listPath(settings, scanName(input)));
+    announceScannetSubmission(settings.submission, scanName(input), outputs);
   }
   if (!settings.superpoints.empty())
     outputs.announce(settings.superpoints);

@@ -44,6 +44,11 @@ nyu40Classes();
 PCL_CID_IO_EXPORT const SemanticClasses&
 scannetBenchmarkClasses();
 
+/** \brief The classes of SemanticKITTI and their numbers, 1 (outlier) to 259
+ *  (moving-other-vehicle); 0, its `unlabeled`, is no class. */
+PCL_CID_IO_EXPORT const SemanticClasses&
+semanticKittiClasses();
+
 /** \brief The number of a class; none when there is no class of this name. */
 PCL_CID_IO_EXPORT std::optional<std::uint32_t>
 classNumber(const SemanticClasses& classes, const std::string& name);

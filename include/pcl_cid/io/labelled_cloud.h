@@ -89,6 +89,10 @@ labelsOf(const LabelledCloud& cloud,
 PCL_CID_IO_EXPORT std::vector<ColorRGB>
 colorsOf(const LabelledCloud& cloud);
 
+/** \brief Whether the cloud has fields that colorsOf() takes. */
+PCL_CID_IO_EXPORT bool
+hasColors(const LabelledCloud& cloud);
+
 /** \brief Refuse labels that do not fit a type: U4 goes to 2^32 - 1, I4 to 2^31 - 1, F4
  *  to 2^24.
  *  \throws CIDException with the first label that does not */

@@ -32,8 +32,9 @@ s3disRoomFiles(const std::string& folder);
  *
  *  The points are those of the annotations, one file after the other by name in natural
  *  order (chair_2 before chair_10). Fields of the cloud: x y z rgb, `label` (number of
- *  the file, from 1) and `semantic` (s3disClasses()). A class that S3DIS does not have,
- *  such as its own `stairs`, becomes clutter.
+ *  the file, from 1) and `semantic` (s3disClasses()). Coordinates are float, or double
+ *  where one is 1024 or more, as in UTM. A class that S3DIS does not have, such as its
+ *  own `stairs`, becomes clutter.
  *
  *  In the public files some characters have lost one bit (0x20), which turned digits
  *  and blanks into control bytes. Where restoring the bit makes the line a point again,

@@ -32,6 +32,14 @@ writeSuperpoints(std::ostream& stream,
                  const std::string& scan_id,
                  const pcl::Indices& group);
 
+/** \brief Write segments as a `segs.json`.
+ *  \param[in] scan_id written as `sceneId`
+ *  \param[in] segments of each point */
+PCL_CID_IO_EXPORT void
+writeSegments(std::ostream& stream,
+              const std::string& scan_id,
+              const std::vector<std::uint32_t>& segments);
+
 /** \brief The instances that were predicted when an annotator who knows the truth
  *  labeled the seeds: one for each label but 0. Its class is that of the true instance
  *  with this label, by the rule of overlapsOf().

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <utility>
 
@@ -106,10 +108,23 @@ struct RoomFiles {
   }
 };
 
+/** From here on float is coarser than a tenth of a millimeter. */
+constexpr double far_away = 1024.0;
+
 /** Gathers the points of the annotations, one after the other. */
+template <typename Coordinate>
 class RoomReading {
+  using Point = S3DISPoint<Coordinate>;
+
 public:
   explicit RoomReading(const RemarkCallback& remark) : remark_(remark) {}
+
+  void
+  takeAll(const RoomFiles& files)
+  {
+    for (const fs::path& annotation : files.annotations)
+      take(annotation);
+  }
 
   void
   take(const fs::path& annotation)
@@ -143,16 +158,28 @@ public:
           "; those of the annotations are taken");
   }
 
+  /** Whether one has a coordinate for which float is too coarse. */
+  bool
+  isFarAway() const
+  {
+    return std::any_of(points_.begin(), points_.end(), [](const Point& point) {
+      return std::abs(point.x) >= far_away || std::abs(point.y) >= far_away ||
+             std::abs(point.z) >= far_away;
+    });
+  }
+
   LabelledCloud
   cloud(const std::string& name) const
   {
     LabelledCloud cloud;
     cloud.name = name;
-    for (const char* const axis : {"x", "y", "z", "rgb"})
-      addField(axis, pcl::PCLPointField::FLOAT32, 1, cloud.fields);
-    static_assert(sizeof(S3DISPoint) == 16, "points have no padding");
-    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(points_.data());
-    cloud.fields.data.assign(bytes, bytes + points_.size() * sizeof(S3DISPoint));
+    for (const char* const axis : {"x", "y", "z"})
+      addField(axis, pcl::traits::asEnum_v<Coordinate>, 1, cloud.fields);
+    addField("rgb", pcl::PCLPointField::FLOAT32, 1, cloud.fields);
+    const std::size_t size = cloud.fields.point_step;
+    cloud.fields.data.resize(points_.size() * size);
+    for (std::size_t i = 0; i < points_.size(); ++i) // without the padding of points
+      std::memcpy(cloud.fields.data.data() + i * size, &points_[i], size);
     cloud.fields.width = static_cast<std::uint32_t>(points_.size());
     cloud.fields.height = 1;
     cloud.fields.row_step = cloud.fields.point_step * cloud.fields.width;
@@ -187,7 +214,7 @@ private:
   void
   takeLine(const std::string& path, std::string_view line, std::size_t number)
   {
-    if (const auto point = parseS3DISLine(line))
+    if (const auto point = parseS3DISLine<Coordinate>(line))
       points_.push_back(*point);
     else if (hasControlByte(line))
       repairLine(path, line, number);
@@ -200,7 +227,7 @@ private:
   repairLine(const std::string& path, std::string_view line, std::size_t number)
   {
     const std::string whole = withLostBits(line);
-    const auto point = parseS3DISLine(whole);
+    const auto point = parseS3DISLine<Coordinate>(whole);
     if (point)
       points_.push_back(*point);
     else
@@ -214,13 +241,23 @@ private:
   }
 
   const RemarkCallback& remark_;
-  std::vector<S3DISPoint> points_;
+  std::vector<Point> points_;
   std::vector<std::uint32_t> labels_;
   std::vector<std::uint32_t> semantics_;
   std::uint32_t instance_ = 0;
   std::uint32_t semantic_ = 0;
   std::size_t left_out_ = 0; ///< lines
 };
+
+/** The room once more; what there is to remark on has been said. */
+LabelledCloud
+readInDouble(const RoomFiles& files, const std::string& folder)
+{
+  const RemarkCallback nobody;
+  RoomReading<double> reading(nobody);
+  reading.takeAll(files);
+  return reading.cloud(folder);
+}
 
 } // namespace
 
@@ -250,17 +287,16 @@ readS3DISRoom(const std::string& folder, const RemarkCallback& remark)
   if (files.annotations.empty())
     throw CIDException(folder + ": has no annotation; Annotations/<class>_<k>.txt "
                                 "must hold the points of each instance");
-  RoomReading reading(remark);
+  RoomReading<float> reading(remark);
   for (const fs::path& other : files.others)
     reading.say(other.string(), ": is no .txt file and is passed over");
-  for (const fs::path& annotation : files.annotations)
-    reading.take(annotation);
+  reading.takeAll(files);
   if (files.room.empty())
     reading.say(folder,
                 ": has no file of the whole room to check the number of points by");
   else
     reading.check(files.room);
-  return reading.cloud(folder);
+  return reading.isFarAway() ? readInDouble(files, folder) : reading.cloud(folder);
 }
 
 } // namespace pcl_cid

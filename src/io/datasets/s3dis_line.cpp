@@ -15,11 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace pcl_cid {
 namespace {
 
-constexpr std::size_t columns = 6;
+constexpr float largest_coordinate = std::numeric_limits<float>::max();
 constexpr std::string_view blanks = " \t";
 
 bool
@@ -40,24 +41,33 @@ packed(const float* color)
 
 } // namespace
 
-std::optional<S3DISPoint>
+template <typename Coordinate>
+std::optional<S3DISPoint<Coordinate>>
 parseS3DISLine(std::string_view line)
 {
-  float values[columns];
-  for (float& value : values) {
-    const auto number = parseNumber<float>(takeWord(line, blanks));
-    if (!number || !std::isfinite(*number))
+  Coordinate coordinates[3];
+  for (Coordinate& coordinate : coordinates) {
+    // Numbers too small for the type are as good as 0.
+    const auto number = parseLoosely<Coordinate>(takeWord(line, blanks));
+    if (!number || !(std::abs(*number) <= largest_coordinate))
       return std::nullopt;
-    value = *number;
+    coordinate = *number;
   }
-  const float* const color = values + 3;
-  if (!takeWord(line, blanks).empty() ||
-      !std::all_of(color, color + 3, [](float channel) {
-        return channel >= 0.0f && channel <= 255.0f;
-      }))
+  float color[3];
+  for (float& channel : color) {
+    const auto number = parseNumber<float>(takeWord(line, blanks));
+    if (!number || !(*number >= 0.0f && *number <= 255.0f))
+      return std::nullopt;
+    channel = *number;
+  }
+  if (!takeWord(line, blanks).empty())
     return std::nullopt;
-  return S3DISPoint{values[0], values[1], values[2], packed(color)};
+  return S3DISPoint<Coordinate>{
+      coordinates[0], coordinates[1], coordinates[2], packed(color)};
 }
+
+template std::optional<S3DISPoint<float>> parseS3DISLine(std::string_view);
+template std::optional<S3DISPoint<double>> parseS3DISLine(std::string_view);
 
 bool
 hasControlByte(std::string_view line)

@@ -16,18 +16,21 @@
 
 namespace pcl_cid {
 
-/** \brief A point as a file of S3DIS has it. */
+/** \brief A point as a file of S3DIS has it.
+ *  \tparam Coordinate float or double */
+template <typename Coordinate>
 struct S3DISPoint {
-  float x = 0.0f;
-  float y = 0.0f;
-  float z = 0.0f;
+  Coordinate x = 0;
+  Coordinate y = 0;
+  Coordinate z = 0;
   /** Packed as PCL does. */
   std::uint32_t rgb = 0;
 };
 
 /** \brief The point of a line; none when it is not six numbers, three finite ones and
  *  three from 0 to 255. */
-std::optional<S3DISPoint>
+template <typename Coordinate>
+std::optional<S3DISPoint<Coordinate>>
 parseS3DISLine(std::string_view line);
 
 /** \brief Whether a line holds a control byte other than tabs. */

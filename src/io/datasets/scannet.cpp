@@ -9,6 +9,7 @@
 
 #include "base/sentence.h"
 #include "scannet_classes.h"
+#include "scannet_names.h"
 #include "text/json_reading.h"
 #include "text/numbers.h"
 
@@ -26,16 +27,13 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Remark = RemarkCallback;
 
-constexpr const char* mesh_ending = "_vh_clean_2.ply";
-constexpr const char* segments_ending = "_vh_clean_2.0.010000.segs.json";
-constexpr const char* aggregation_ending = ".aggregation.json";
 constexpr const char* class_table_name = "scannetv2-labels.combined.tsv";
 
 /** The ids of the scans whose meshes are in a folder. */
 std::set<std::string>
 idsIn(const std::string& folder)
 {
-  const std::string ending = mesh_ending;
+  const std::string ending = scannet_mesh_ending;
   std::set<std::string> ids;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -244,11 +242,12 @@ requireComplete(const ScannetFiles& files, const std::string& folder)
   const auto require = [&](const std::string& found, const char* ending) {
     if (found.empty())
       throw CIDException(folder + ": has no " + files.id + ending +
-                         "; an annotated scan needs " + files.id + segments_ending +
-                         " and " + files.id + aggregation_ending);
+                         "; an annotated scan needs " + files.id +
+                         scannet_segments_ending + " and " + files.id +
+                         scannet_aggregation_ending);
   };
-  require(files.segments, segments_ending);
-  require(files.aggregation, aggregation_ending);
+  require(files.segments, scannet_segments_ending);
+  require(files.aggregation, scannet_aggregation_ending);
   if (!files.class_table.empty())
     return;
   std::string places;
@@ -285,14 +284,14 @@ findScannetFiles(const std::string& folder, const std::string& class_table)
                                 ": holds ",
                                 countOf(ids.size(), "file"),
                                 " named <id>",
-                                mesh_ending,
+                                scannet_mesh_ending,
                                 "; a scan must hold 1"));
   ScannetFiles files;
   files.id = *ids.begin();
   const fs::path beginning = fs::path(folder) / files.id;
-  files.mesh = beginning.string() + mesh_ending;
-  files.segments = fileOrNothing(beginning.string() + segments_ending);
-  files.aggregation = fileOrNothing(beginning.string() + aggregation_ending);
+  files.mesh = beginning.string() + scannet_mesh_ending;
+  files.segments = fileOrNothing(beginning.string() + scannet_segments_ending);
+  files.aggregation = fileOrNothing(beginning.string() + scannet_aggregation_ending);
   files.class_table = class_table.empty() ? findClassTable(folder) : class_table;
   return files;
 }
@@ -308,8 +307,9 @@ readScannetScan(const std::string& folder,
   cloud.layout = CloudLayout();
   if (files.segments.empty() && files.aggregation.empty()) {
     if (remark)
-      remark(folder + ": has no annotation (" + files.id + segments_ending + " and " +
-             files.id + aggregation_ending + "), so no labels and classes");
+      remark(folder + ": has no annotation (" + files.id + scannet_segments_ending +
+             " and " + files.id + scannet_aggregation_ending +
+             "), so no labels and classes");
     return cloud;
   }
   requireComplete(files, folder);

@@ -26,14 +26,22 @@ writeSuperpoints(std::ostream& stream,
 {
   const auto last = std::max_element(group.begin(), group.end());
   const pcl::index_t none = last == group.end() ? 0 : *last + 1;
-  std::vector<pcl::index_t> segments;
+  std::vector<std::uint32_t> segments;
   segments.reserve(group.size());
   for (const pcl::index_t of_point : group)
-    segments.push_back(of_point < 0 ? none : of_point);
+    segments.push_back(static_cast<std::uint32_t>(of_point < 0 ? none : of_point));
+  writeSegments(stream, scan_id, segments);
+}
+
+void
+writeSegments(std::ostream& stream,
+              const std::string& scan_id,
+              const std::vector<std::uint32_t>& segments)
+{
   nlohmann::ordered_json json;
   json["params"] = {{"method", "pcl_cid"}};
   json["sceneId"] = scan_id;
-  json["segIndices"] = std::move(segments);
+  json["segIndices"] = segments;
   stream << json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
 }
 

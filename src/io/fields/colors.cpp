@@ -154,6 +154,13 @@ unpackedColors(const LabelledCloud& cloud, const pcl::PCLPointField& field)
 
 } // namespace
 
+bool
+hasColors(const LabelledCloud& cloud)
+{
+  return findField(cloud.fields, "rgb") || findField(cloud.fields, "rgba") ||
+         channelsOf(cloud.fields)[0];
+}
+
 std::vector<ColorRGB>
 colorsOf(const LabelledCloud& cloud)
 {

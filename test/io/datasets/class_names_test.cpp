@@ -27,8 +27,10 @@ TEST(ClassNames, OfS3DISAreThoseOfTheSampleScan)
 
 TEST(ClassNames, AreFoundByNumberAndByName)
 {
-  for (const SemanticClasses* const classes :
-       {&s3disClasses(), &nyu40Classes(), &scannetBenchmarkClasses()}) {
+  for (const SemanticClasses* const classes : {&s3disClasses(),
+                                               &nyu40Classes(),
+                                               &scannetBenchmarkClasses(),
+                                               &semanticKittiClasses()}) {
     std::uint32_t last = 0;
     for (const SemanticClass& each : *classes) {
       EXPECT_GT(each.number, last);
@@ -72,6 +74,21 @@ TEST(ClassNames, OfScanNetAreThoseOfItsBenchmark)
   EXPECT_EQ(nyu40Classes().size(), 40u);
   EXPECT_EQ(classNumber(nyu40Classes(), "wall"), 1u);
   EXPECT_EQ(classNumber(nyu40Classes(), "floor"), 2u);
+}
+
+TEST(ClassNames, OfSemanticKittiAreThoseOfItsTools)
+{
+  const SemanticClasses& classes = semanticKittiClasses();
+  EXPECT_EQ(classes.size(), 33u);
+  for (const auto& [number, name] : SemanticClasses{{1, "outlier"},
+                                                    {10, "car"},
+                                                    {30, "person"},
+                                                    {40, "road"},
+                                                    {50, "building"},
+                                                    {99, "other-object"},
+                                                    {252, "moving-car"},
+                                                    {259, "moving-other-vehicle"}})
+    EXPECT_EQ(classNumber(classes, name), number);
 }
 
 } // namespace

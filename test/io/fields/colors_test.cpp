@@ -37,6 +37,7 @@ TYPED_TEST(ColorField, IsUnpacked)
   for (const char* const name : {"rgb", "rgba"}) {
     LabelledCloud cloud = threePoints();
     appendField(name, packed, cloud.fields);
+    EXPECT_TRUE(hasColors(cloud));
     const std::vector<ColorRGB> colors = colorsOf(cloud);
     ASSERT_EQ(colors.size(), 3u);
     for (int i = 0; i < 3; ++i) {
@@ -50,6 +51,7 @@ TYPED_TEST(ColorField, IsUnpacked)
 
 TEST(ColorsOf, NamesTheFieldsThatThereAre)
 {
+  EXPECT_FALSE(hasColors(threePoints()));
   try {
     colorsOf(threePoints());
     FAIL() << "there are no colors";
