@@ -30,7 +30,7 @@ else()
   list(SUBLIST order 0 ${length} allowed)
 endif()
 
-set(public_of_base color execution frame point_set settings)
+set(public_of_base color execution frame named_instance point_set settings)
 set(public_of_field distance_field)
 set(public_of_cid cid_from concavity)
 set(public_of_scan prepared_scan)

@@ -22,7 +22,7 @@ struct SessionState {
   std::vector<std::uint32_t> labels;
   std::vector<pcl::index_t> groups;
   std::vector<SessionSeed> seeds;
-  std::vector<LabelledInstance> instances;
+  std::vector<NamedInstance> instances;
   std::vector<bool> painted;
 
   explicit SessionState(const LabelSession& session)

@@ -12,7 +12,6 @@
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/io/report.h>
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,17 +19,6 @@
 #include <variant>
 
 namespace pcl_cid::tools {
-
-/** \brief The double that is written as a float is: 0.03, not 0.0299999993. */
-inline double
-asWritten(float value)
-{
-  char text[32];
-  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
-  double read = 0.0;
-  std::from_chars(text, end, read);
-  return read;
-}
 
 /** \brief A number. */
 template <typename Value, typename Number>

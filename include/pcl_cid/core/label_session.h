@@ -14,6 +14,7 @@
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/label_action.h>
 #include <pcl_cid/core/label_cleaning.h>
+#include <pcl_cid/core/named_instance.h>
 #include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/pcl_cid_export.h>
 
@@ -27,19 +28,6 @@
 #include <pcl/types.h>
 
 namespace pcl_cid {
-
-/** \brief A thing that was found in a scan. */
-struct LabelledInstance {
-  std::uint32_t label; ///< 1 and up
-  std::string class_name;
-  std::string name;
-
-  bool
-  operator==(const LabelledInstance& other) const
-  {
-    return label == other.label && class_name == other.class_name && name == other.name;
-  }
-};
 
 /** \brief A seed of a session. */
 struct SessionSeed {
@@ -107,6 +95,13 @@ public:
   pcl::Indices
   apply(const LabelAction& action, const ExecutionOptions& execution = {});
 
+  /** \brief Do many actions, one after another, and look at the labels once.
+   *  \return how many were done: all, or those before the first that is not possible
+   *  \throws CIDCancelled; what was done stays done */
+  std::size_t
+  replay(const std::vector<LabelAction>& actions,
+         const ExecutionOptions& execution = {});
+
   /** \brief How many actions can be taken back, and done again. */
   std::size_t
   undoable() const;
@@ -141,7 +136,7 @@ public:
   seeds() const;
 
   /** \brief The instances, in the order in which they were made. */
-  const std::vector<LabelledInstance>&
+  const std::vector<NamedInstance>&
   instances() const;
 
   /** \brief The labels with ragged boundaries mended, see cleanBoundaries(); painted
@@ -170,8 +165,14 @@ private:
 
   static constexpr std::uint32_t not_painted = 0xFFFFFFFFu;
 
-  Step
+  bool
   perform(const LabelAction& action, const ExecutionOptions& execution);
+
+  bool
+  undo(unsigned int threads);
+
+  Step
+  carryOut(Plan plan, const LabelAction& action, const ExecutionOptions& execution);
 
   void
   takeBack(const Step& step, unsigned int threads);

@@ -78,6 +78,10 @@ template <typename Value>
 PCL_CID_EXPORT void
 require(const NumberSetting<Value>& setting, Value value);
 
+/** \brief The double that is written as a float is: 0.03, not 0.0299999993. */
+PCL_CID_EXPORT double
+asWritten(float value);
+
 /** \brief A setting that is one of a few words. */
 template <typename Value, std::size_t Count>
 struct ChoiceSetting {

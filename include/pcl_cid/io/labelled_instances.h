@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/named_instance.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
@@ -18,16 +19,6 @@
 #include <vector>
 
 namespace pcl_cid {
-
-/** \brief A thing in a scan. */
-struct NamedInstance {
-  /** Number of its points in LabelledInstances::label, above 0. */
-  std::uint32_t label = 0;
-  /** What it is, such as `chair`; any text, empty for no class. */
-  std::string class_name;
-  /** What a person calls it, such as `the broken one`; may be empty. */
-  std::string name;
-};
 
 /** \brief The labels of a scan and what they mean. */
 struct LabelledInstances {

@@ -107,7 +107,7 @@ ClickedSession::answerFor(pcl::index_t seed) const
   const std::uint32_t label = cloud_truth_[static_cast<std::size_t>(seed)];
   if (label == 0)
     return 0u;
-  for (const LabelledInstance& instance : session_.instances())
+  for (const NamedInstance& instance : session_.instances())
     if (instance.label == label)
       return label;
   return action::NewInstance{"", "", label};

@@ -12,6 +12,7 @@
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/exceptions.h>
 
+#include <charconv>
 #include <type_traits>
 
 namespace pcl_cid {
@@ -64,6 +65,16 @@ require(const NumberSetting<Value>& setting, Value value)
   if (!setting.allows(value))
     throw CIDException(sentence(
         "the ", setting.title, " is ", value, "; it must be ", rangeOf(setting)));
+}
+
+double
+asWritten(float value)
+{
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+  double read = 0.0;
+  std::from_chars(text, end, read);
+  return read;
 }
 
 #define PCL_CID_INSTANTIATE_SETTING(Value)                                             \

@@ -9,6 +9,8 @@
 
 #include "session_plan.h"
 
+#include "base/progress.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -67,7 +69,7 @@ LabelSession::seeds() const
   return seeds;
 }
 
-const std::vector<LabelledInstance>&
+const std::vector<NamedInstance>&
 LabelSession::instances() const
 {
   return tables_->instances;
@@ -77,33 +79,68 @@ pcl::Indices
 LabelSession::apply(const LabelAction& action, const ExecutionOptions& execution)
 {
   const pcl::Indices old_seeds = grouping_.seeds();
-  bool has_new_groups = false;
-  if (std::holds_alternative<action::Undo>(action)) {
-    if (done_.empty())
-      throw CIDException("there is no action to take back");
-    has_new_groups = done_.back().changesSeeds();
-    takeBack(done_.back(), execution.threads);
-    undone_.push_back(std::move(done_.back().action));
-    done_.pop_back();
+  const bool changes_seeds = perform(action, execution);
+  return updateLabels(old_seeds, changes_seeds, execution.threads);
+}
+
+std::size_t
+LabelSession::replay(const std::vector<LabelAction>& actions,
+                     const ExecutionOptions& execution)
+{
+  const pcl::Indices old_seeds = grouping_.seeds();
+  Progress progress(execution.progress);
+  bool changes_seeds = false;
+  std::size_t done = 0;
+  try {
+    for (; done < actions.size() && !progress.cancelled(); ++done) {
+      changes_seeds |= perform(actions[done], {execution.threads, {}});
+      progress.report(static_cast<double>(done + 1) /
+                      static_cast<double>(actions.size()));
+    }
   }
-  else {
-    const bool again = std::holds_alternative<action::Redo>(action);
-    if (again && undone_.empty())
-      throw CIDException("there is no action to do again");
-    done_.push_back(perform(again ? undone_.back() : action, execution));
-    has_new_groups = done_.back().changesSeeds();
-    if (again)
-      undone_.pop_back();
-    else
-      undone_.clear();
+  catch (const CIDException&) {
+    // The caller sees how far it came.
   }
-  return updateLabels(old_seeds, has_new_groups, execution.threads);
+  updateLabels(old_seeds, changes_seeds, execution.threads);
+  progress.check(1.0);
+  return done;
+}
+
+/** \return whether seeds have come or gone */
+bool
+LabelSession::perform(const LabelAction& action, const ExecutionOptions& execution)
+{
+  if (std::holds_alternative<action::Undo>(action))
+    return undo(execution.threads);
+  const bool again = std::holds_alternative<action::Redo>(action);
+  if (again && undone_.empty())
+    throw CIDException("there is no action to do again");
+  const LabelAction& next = again ? undone_.back() : action;
+  done_.push_back(carryOut(Planner(*this).plan(next), next, execution));
+  if (again)
+    undone_.pop_back();
+  else
+    undone_.clear();
+  return done_.back().changesSeeds();
+}
+
+bool
+LabelSession::undo(unsigned int threads)
+{
+  if (done_.empty())
+    throw CIDException("there is no action to take back");
+  const bool changes_seeds = done_.back().changesSeeds();
+  takeBack(done_.back(), threads);
+  undone_.push_back(std::move(done_.back().action));
+  done_.pop_back();
+  return changes_seeds;
 }
 
 LabelSession::Step
-LabelSession::perform(const LabelAction& action, const ExecutionOptions& execution)
+LabelSession::carryOut(Plan plan,
+                       const LabelAction& action,
+                       const ExecutionOptions& execution)
 {
-  Plan plan = Planner(*this).plan(action);
   Step step{action, tables_, {}, 0, {}};
   const pcl::Indices seeds = grouping_.seeds();
   for (const std::size_t number : plan.removed)

@@ -35,7 +35,7 @@ LabelSession::Planner::plan(const LabelAction& action)
   return std::move(plan_);
 }
 
-std::vector<LabelledInstance>::iterator
+std::vector<NamedInstance>::iterator
 LabelSession::Planner::find(std::uint32_t label)
 {
   auto& instances = plan_.tables.instances;

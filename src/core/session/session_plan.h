@@ -25,7 +25,7 @@ namespace pcl_cid {
 struct LabelSession::Tables {
   /** By number of the seed; empty for a question. */
   std::vector<std::optional<std::uint32_t>> label_of_seed;
-  std::vector<LabelledInstance> instances;
+  std::vector<NamedInstance> instances;
   std::uint32_t next_label = 1; ///< above all labels that there were
 };
 
@@ -101,7 +101,7 @@ public:
   operator()(const action::Redo&);
 
 private:
-  std::vector<LabelledInstance>::iterator
+  std::vector<NamedInstance>::iterator
   find(std::uint32_t label);
 
   std::uint32_t
