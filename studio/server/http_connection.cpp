@@ -11,6 +11,7 @@
 
 #include "socket_connection.h"
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -67,6 +68,8 @@ void
 HttpConnection::readRequest()
 {
   parser_.emplace();
+  // No body is read, so none is too long: it is refused for what it is.
+  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
   parser_->header_limit(static_cast<std::uint32_t>(parts_.limits.most_header));
   stream_.expires_after(parts_.limits.request_time);
   http::async_read_header(
