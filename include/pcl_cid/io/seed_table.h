@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,14 +35,17 @@ struct SeedTable {
 };
 
 /** \brief Write a table for an annotator: columns `index,x,y,z,label`, a row for each
- *  seed in order, the labels empty.
+ *  seed in order.
  *  \param[in] seeds indices of finite points
  *  \param[in] points coordinates of the cloud; written in the frame of its file, with
- *  as many digits as they have */
+ *  as many digits as they have
+ *  \param[in] labels one for each seed; an empty one stands for "not asked", and none
+ *  at all for as many of these */
 PCL_CID_IO_EXPORT void
 writeSeedTable(std::ostream& stream,
                const pcl::Indices& seeds,
-               const CloudPoints& points);
+               const CloudPoints& points,
+               const std::vector<std::optional<std::uint32_t>>& labels = {});
 
 /** \brief Read a table that an annotator has filled in.
  *

@@ -62,6 +62,11 @@ struct SessionRecord {
 PCL_CID_IO_EXPORT SessionRecord
 readSession(const std::string& path);
 
+/** \brief The same, or nothing where SessionFile would begin a new one: there is no
+ * file, or nothing in it. */
+PCL_CID_IO_EXPORT std::optional<SessionRecord>
+findSession(const std::string& path);
+
 /** \brief Refuse a scan that a session is not of.
  *  \param[in] path of the session, for the message
  *  \throws CIDException that says what differs */

@@ -278,12 +278,14 @@ private:
 void
 writeSeedTable(std::ostream& stream,
                const pcl::Indices& seeds,
-               const CloudPoints& points)
+               const CloudPoints& points,
+               const std::vector<std::optional<std::uint32_t>>& labels)
 {
   stream << "index,x,y,z,label\n";
   const bool is_double = !points.frame.origin.isZero(0.0);
   std::string line;
-  for (const pcl::index_t seed : seeds) {
+  for (std::size_t k = 0; k < seeds.size(); ++k) {
+    const pcl::index_t seed = seeds[k];
     line = std::to_string(seed);
     const auto point =
         (*points.points)[static_cast<std::size_t>(seed)].getVector3fMap();
@@ -295,7 +297,10 @@ writeSeedTable(std::ostream& stream,
       else
         appendNumber(point[axis], line);
     }
-    stream << line << ",\n";
+    line += ',';
+    if (!labels.empty() && labels[k])
+      line += std::to_string(*labels[k]);
+    stream << line << '\n';
   }
 }
 

@@ -93,6 +93,15 @@ lineOf(const nlohmann::ordered_json& json)
   }
 }
 
+/** A text without a whole line: of a session that was hardly begun, or of something
+ *  else. */
+void
+requireTornHeader(const std::string& text, const std::string& path)
+{
+  if (!text.empty() && text.front() != '{')
+    throw CIDException(path + ": it is not a session of pcl_cid");
+}
+
 /** The file itself, where the path is a link to one. */
 std::string
 resolved(const std::string& path)
@@ -121,21 +130,34 @@ identityOf(const LabelledCloud& cloud)
   return identity;
 }
 
-SessionRecord
-readSession(const std::string& path)
+std::optional<SessionRecord>
+findSession(const std::string& path)
 {
   const OpenFile file(resolved(path), O_RDONLY);
+  if (file.get() < 0 && errno == ENOENT)
+    return std::nullopt;
   if (file.get() < 0)
     fail(path, "be read", errno);
   try {
-    const Lines lines(file.readAll());
-    if (lines.texts.empty())
-      throw CIDException(path + ": it is not a session of pcl_cid");
-    return recordOf(lines, path);
+    const std::string text = file.readAll();
+    const Lines lines(text);
+    if (!lines.texts.empty())
+      return recordOf(lines, path);
+    requireTornHeader(text, path);
+    return std::nullopt;
   }
   catch (const std::system_error& error) {
     fail(path, "be read", error.code().value());
   }
+}
+
+SessionRecord
+readSession(const std::string& path)
+{
+  std::optional<SessionRecord> record = findSession(path);
+  if (!record)
+    throw CIDException(path + ": there is no session");
+  return std::move(*record);
 }
 
 void
@@ -239,8 +261,7 @@ SessionFile::SessionFile(std::string path,
   const std::string text = file_->readAll();
   const Lines lines(text);
   if (lines.texts.empty()) {
-    if (!text.empty() && text[0] != '{') // not the torn first line of a session
-      throw CIDException(path_ + ": it is not a session of pcl_cid");
+    requireTornHeader(text, path_);
     file_->cut(0);
     write(lineOf(headerOf(scan, settings)));
     if (const int reason = synchronize(fs::absolute(resolved(path_)).parent_path()))

@@ -1,0 +1,136 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * A session as pages see it.
+ */
+
+#include "wire_state.h"
+
+#include <map>
+#include <utility>
+
+namespace pcl_cid::studio {
+namespace {
+
+using Json = nlohmann::json;
+using Numbers = std::vector<std::uint32_t>;
+
+/** The key of the seed of each group: its place. */
+Numbers
+keysOf(const std::vector<SessionSeed>& seeds, const Places& places)
+{
+  Numbers keys;
+  for (const SessionSeed& seed : seeds)
+    keys.push_back(places.placeOf(seed.point));
+  return keys;
+}
+
+std::uint32_t
+keyAt(const LabelSession& session, const Numbers& keys, pcl::index_t point)
+{
+  const pcl::index_t group = session.groups()[static_cast<std::size_t>(point)];
+  return group < 0 ? Places::none : keys[static_cast<std::size_t>(group)];
+}
+
+Json
+seedsOf(const LabelSession& session, const Places& places)
+{
+  const std::vector<SessionSeed> seeds = session.seeds();
+  std::vector<std::size_t> size(seeds.size(), 0);
+  for (const pcl::index_t group : session.groups())
+    if (group >= 0)
+      ++size[static_cast<std::size_t>(group)];
+  Json list = Json::array();
+  for (std::size_t k = 0; k < seeds.size(); ++k) {
+    const std::uint32_t place = places.placeOf(seeds[k].point);
+    list.push_back({{"key", place},
+                    {"place", place},
+                    {"label", seeds[k].label ? Json(*seeds[k].label) : Json()},
+                    {"size", size[k]}});
+  }
+  return list;
+}
+
+/** Neighbors in a scan mostly have the same label. */
+std::map<std::uint32_t, std::size_t>
+pointsByLabel(const Numbers& labels)
+{
+  std::map<std::uint32_t, std::size_t> size;
+  for (std::size_t begin = 0; begin < labels.size();) {
+    std::size_t end = begin + 1;
+    while (end < labels.size() && labels[end] == labels[begin])
+      ++end;
+    size[labels[begin]] += end - begin;
+    begin = end;
+  }
+  return size;
+}
+
+} // namespace
+
+Json
+summaryOf(const LabelSession& session, const Places& places)
+{
+  std::map<std::uint32_t, std::size_t> size = pointsByLabel(session.labels());
+  size[0] -= session.labels().size() - places.size(); // those without a place
+  Json instances = Json::array();
+  for (const NamedInstance& instance : session.instances())
+    instances.push_back({{"label", instance.label},
+                         {"class", instance.class_name},
+                         {"name", instance.name},
+                         {"size", size[instance.label]}});
+  return {{"seeds", seedsOf(session, places)},
+          {"instances", std::move(instances)},
+          {"undo", session.undoable()},
+          {"redo", session.redoable()},
+          {"unlabeled", size[0]}};
+}
+
+std::vector<NamedArray>
+allLabels(const LabelSession& session, const Places& places)
+{
+  const Numbers keys = keysOf(session.seeds(), places);
+  Numbers labels(places.size());
+  Numbers groups(places.size());
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    const pcl::index_t point = places.point(place);
+    labels[place] = session.labels()[static_cast<std::size_t>(point)];
+    groups[place] = keyAt(session, keys, point);
+  }
+  return {{"labels", std::move(labels)}, {"groups", std::move(groups)}};
+}
+
+std::vector<NamedArray>
+changedLabels(const LabelSession& session,
+              const pcl::Indices& changed,
+              const Places& places)
+{
+  const Numbers keys = keysOf(session.seeds(), places);
+  Numbers labels;
+  Numbers groups;
+  labels.reserve(changed.size());
+  groups.reserve(changed.size());
+  for (const pcl::index_t point : changed) {
+    labels.push_back(session.labels()[static_cast<std::size_t>(point)]);
+    groups.push_back(keyAt(session, keys, point));
+  }
+  return {{"places", places.placesOf(changed)},
+          {"labels", std::move(labels)},
+          {"groups", std::move(groups)}};
+}
+
+pcl::Indices
+groupOf(const LabelSession& session, pcl::index_t seed)
+{
+  const pcl::index_t group = session.groups()[static_cast<std::size_t>(seed)];
+  pcl::Indices points;
+  for (std::size_t i = 0; i < session.groups().size(); ++i)
+    if (group >= 0 && session.groups()[i] == group)
+      points.push_back(static_cast<pcl::index_t>(i));
+  return points;
+}
+
+} // namespace pcl_cid::studio
