@@ -22,7 +22,7 @@ export class CloudGeometry {
   readonly colors: Uint8Array;
   readonly scalars: Float32Array;
   readonly marks: Uint8Array;
-  private markedPlaces = [new Uint32Array(0), new Uint32Array(0)];
+  private markedPlaces: Uint32Array[] = [new Uint32Array(0), new Uint32Array(0)];
   private attributes: Record<'position' | 'color' | 'label' | 'group' | 'scalar' | 'mark', BufferAttribute>;
 
   constructor(
