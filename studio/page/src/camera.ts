@@ -37,7 +37,7 @@ export class Camera {
 
   constructor(
     private view: PointCloudView,
-    private bounds: Box3,
+    bounds: Box3,
     private keysDown: Set<string>,
     private pick: (x: number, y: number) => Vector3 | null,
   ) {
