@@ -53,7 +53,7 @@ export class ColorModes {
 
   constructor(
     private view: PointCloudView,
-    private session: Session,
+    session: Session,
     private section: SectionCut,
     private actions: Actions,
     hasColor: boolean,
@@ -104,7 +104,6 @@ export class ColorModes {
     this.set(this.mode === mode ? this.before : mode);
   }
 
-  /** Labels should be seen while they are given: leaves photo colors only where the person chose so. */
   get name(): string {
     return NAMES[this.mode];
   }

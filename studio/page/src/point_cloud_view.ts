@@ -8,7 +8,7 @@
  */
 
 import { GLSL3, PerspectiveCamera, Points, RawShaderMaterial, Scene, Vector2, Vector3, Vector4, WebGLRenderer } from 'three';
-import type { IUniform, Texture } from 'three';
+import type { IUniform, Object3D, Texture } from 'three';
 import { CloudGeometry } from './cloud_geometry';
 import { Emitter } from './emitter';
 import { EyeDomeLighting } from './eye_dome_lighting';
@@ -103,6 +103,11 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
   /** How many places are drawn now: all that are there, or a thinned scan while the camera moves. */
   get drawnPlaces(): number {
     return this.moving ? Math.min(this.arrivedPlaces, this.budget) : this.arrivedPlaces;
+  }
+
+  /** Something more to draw, which picking does not see. */
+  addToPicture(object: Object3D): void {
+    this.scene.add(object);
   }
 
   setSection(section: Section): void {
