@@ -65,7 +65,7 @@ export class SeedMarkers {
     this.view.invalidate();
   }
 
-  private refresh(): void {
+  refresh(): void {
     const seeds = [...this.session.seeds.values()];
     const { positions } = this.view.cloud;
     const at = new Float32Array(3 * seeds.length);
