@@ -1,0 +1,57 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Where the result is unsure, largest area first.
+ */
+
+import type { Actions } from './actions';
+import type { Camera } from './camera';
+import { MARK_GROUP } from './cloud_geometry';
+import type { ColorModes } from './color_modes';
+import { count, metres } from './dom';
+import type { Messages } from './messages';
+import type { PointCloudView } from './point_cloud_view';
+import type { SectionCut } from './section';
+import { chooseViewPoint } from './view_points';
+
+export class Doubt {
+  constructor(
+    private actions: Actions,
+    private colors: ColorModes,
+    private view: PointCloudView,
+    private camera: Camera,
+    private section: SectionCut,
+    private messages: Messages,
+    private diagonal: number,
+    private isDrawn: (place: number) => boolean,
+  ) {}
+
+  async next(): Promise<void> {
+    if (this.colors.mode !== 'doubt') this.colors.set('doubt');
+    // The limit follows the values of this scan.
+    await this.colors.loadDoubt();
+    const below = this.colors.doubtBelow;
+    const message = await this.actions.ask({ ask: 'doubtful', below });
+    if (!message) return;
+    const place = message.header.place as number | null;
+    if (place === null) {
+      this.messages.note('There is no doubtful area.');
+      return;
+    }
+    const found = message.arrays.places as Uint32Array | undefined;
+    const places = found && found.length > 0 ? found : Uint32Array.of(place);
+    this.section.suspended = false;
+    let kept = 0;
+    for (const one of places) if (this.section.keeps(one)) kept++;
+    this.section.suspended = kept < 0.35 * places.length;
+    this.section.apply();
+    this.view.cloud.mark(MARK_GROUP, places);
+    const point = chooseViewPoint(this.view, this.camera, places, this.diagonal, this.isDrawn, 2.2);
+    void this.camera.lookFrom(point.target, point.direction, point.distance);
+    this.view.pulse();
+    this.messages.note(`${count(places.length)} points with less than ${metres(below)} between the two nearest labels. Click the one that is wrong.`);
+  }
+}

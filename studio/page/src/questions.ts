@@ -1,0 +1,183 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The proposed seeds one after the other: fly there, light up the group, ask, go on.
+ */
+
+import { Actions } from './actions';
+import type { Asking } from './asking';
+import type { Camera } from './camera';
+import { MARK_GROUP } from './cloud_geometry';
+import { count, el, key } from './dom';
+import type { Messages } from './messages';
+import type { PointCloudView } from './point_cloud_view';
+import type { Answer, Question } from './protocol';
+import type { SectionCut } from './section';
+import type { Session } from './session';
+import { chooseViewPoint } from './view_points';
+
+const HINT: (string | [string, string])[] = [
+  ['Enter', 'same class'],
+  ['Click', 'an instance that is there'],
+  ['⇧Space', 'skip'],
+  ['Esc', 'leave'],
+];
+
+export class Questions {
+  current: Question | null = null;
+  /** Shown when there is nothing left to ask. */
+  readonly done = el('section', { class: 'card docked done', 'aria-label': 'No question left', hidden: true });
+  /** The last one skipped: the next comes after it. */
+  private skipped: number | null = null;
+  private running = 0;
+  private loading = false;
+
+  constructor(
+    private actions: Actions,
+    private asking: Asking,
+    private session: Session,
+    private view: PointCloudView,
+    private camera: Camera,
+    private section: SectionCut,
+    private messages: Messages,
+    private diagonal: number,
+    private isDrawn: (place: number) => boolean,
+    private lookForDoubt: () => void,
+  ) {}
+
+  get busy(): boolean {
+    return this.loading;
+  }
+
+  /** The next question, from the largest group on. */
+  async start(): Promise<void> {
+    if (!this.actions.may()) return;
+    if (!this.current) this.skipped = null;
+    await this.ask();
+  }
+
+  /** Leaves this one for later. */
+  async skip(): Promise<void> {
+    if (!this.actions.may()) return;
+    if (this.current) this.skipped = this.current.seed;
+    await this.ask();
+  }
+
+  leave(): void {
+    this.running++;
+    this.loading = false;
+    this.current = null;
+    this.done.hidden = true;
+    this.view.cloud.mark(MARK_GROUP, new Uint32Array(0));
+    this.section.suspend(false);
+    this.view.invalidate();
+  }
+
+  private async ask(): Promise<void> {
+    const run = ++this.running;
+    this.loading = true;
+    this.done.hidden = true;
+    // What was skipped and is answered since does not tell where to go on.
+    if (this.skipped !== null && this.session.seeds.get(this.skipped)?.label !== null) this.skipped = null;
+    let message = await this.actions.ask({ ask: 'question', after: this.skipped });
+    if (run !== this.running) return;
+    if (message && message.header.question === null && this.skipped !== null) {
+      this.skipped = null;
+      message = await this.actions.ask({ ask: 'question', after: null });
+      if (run !== this.running) return;
+      if (message?.header.question) this.messages.note('Back to the first of the skipped questions.');
+    }
+    this.loading = false;
+    if (!message) return;
+    const question = message.header.question as Question | null;
+    if (question) this.show(question, message.header.left as number, message.arrays.places as Uint32Array);
+    else this.showDone();
+  }
+
+  private show(question: Question, left: number, places: Uint32Array): void {
+    const { cloud } = this.view;
+    this.current = question;
+    const group = places.length > 0 ? places : Uint32Array.of(question.place);
+    // A group that the section cuts away is shown without the cut, for as long as it is asked about.
+    this.section.suspended = false;
+    let kept = 0;
+    for (const place of group) if (this.section.keeps(place)) kept++;
+    const cut = kept < 0.35 * group.length || !this.section.keeps(question.place);
+    this.section.suspended = cut;
+    this.section.apply();
+    cloud.mark(MARK_GROUP, group);
+    const point = chooseViewPoint(this.view, this.camera, group, this.diagonal, this.isDrawn);
+    void this.camera.lookFrom(point.target, point.direction, point.distance);
+    this.view.pulse();
+    const more = left === 1 ? 'the last question' : `${count(left)} questions left`;
+    this.asking.open({
+      kind: 'question',
+      title: 'What is this?',
+      context: `${count(question.size)} points · ${more}${cut ? ' · the cut is off for this one' : ''}`,
+      place: question.place,
+      beside: false,
+      hint: HINT,
+      answer: (answer) => void this.answer(question, answer),
+      cancel: () => this.leave(),
+    });
+  }
+
+  private async answer(question: Question, answer: Answer): Promise<void> {
+    const run = ++this.running;
+    this.loading = true;
+    const message = await this.actions.change({ do: 'answer', seed: question.seed, ...Actions.labelFields(answer) });
+    if (run !== this.running) return;
+    this.current = null;
+    this.loading = false;
+    if (message) await this.ask();
+    else this.leave();
+  }
+
+  private showDone(): void {
+    this.leave();
+    const none = this.session.seeds.size === 0;
+    const propose = el('button', { class: 'primary', text: 'Propose 20 more', click: () => void this.propose(20) });
+    const settled = this.session.questions === 0;
+    this.done.replaceChildren(
+      el(
+        'header',
+        {},
+        el('h2', { text: none ? 'No questions yet' : settled ? 'All questions are answered' : 'No other question' }),
+        el('span', { class: 'context', text: `${count(this.session.unlabeled)} points without a label` }),
+      ),
+      el('p', {
+        text: 'Click wherever a label is wrong, or go to where the result is unsure.',
+      }),
+      el(
+        'div',
+        { class: 'row' },
+        propose,
+        el('button', { click: () => this.lookForDoubt() }, 'Next doubtful area', key('⇧U')),
+        el('button', { text: 'Close', click: () => this.leave() }),
+      ),
+    );
+    this.done.hidden = false;
+    propose.focus();
+    this.messages.say('No question left');
+  }
+
+  async propose(n: number): Promise<void> {
+    if (await this.actions.change({ do: 'propose', seeds: n })) await this.start();
+  }
+
+  async settle(): Promise<void> {
+    const n = this.session.questions;
+    if (n === 0) {
+      this.messages.note('There is no open question.');
+      return;
+    }
+    this.asking.close();
+    this.leave();
+    if (await this.actions.change({ do: 'settle' })) {
+      this.messages.note(`${count(n)} open questions taken away; their points follow the answers. Ctrl+Z brings them back.`);
+    }
+  }
+}

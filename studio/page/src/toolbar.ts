@@ -1,0 +1,69 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The line of buttons at the upper edge.
+ */
+
+import { ICONS, el, icon, key } from './dom';
+
+export interface Tool {
+  name: string;
+  text: string;
+  title: string;
+  icon: keyof typeof ICONS;
+  shortcut?: string;
+  /** Only its drawing is shown. */
+  small?: boolean;
+  /** Whether it changes the session: not for a page that looks on. */
+  changes?: boolean;
+  run: () => void;
+}
+
+export class Toolbar {
+  readonly element = el('header', { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' });
+  private buttons = new Map<string, { button: HTMLButtonElement; tool: Tool }>();
+
+  constructor(scanName: string, session: string) {
+    this.element.append(
+      el('div', { class: 'scan-name' }, el('h1', { text: scanName, title: scanName }), el('span', { text: session, title: `Session: ${session}` })),
+    );
+  }
+
+  group(label: string, ...parts: (Tool | HTMLElement)[]): void {
+    const group = el('div', { class: 'tools-group', role: 'group', 'aria-label': label });
+    for (const part of parts) {
+      if (part instanceof HTMLElement) {
+        group.append(part);
+        continue;
+      }
+      const hint = part.shortcut ? `${part.title} (${part.shortcut})` : part.title;
+      const button = el('button', { 'data-tool': part.name, title: hint, 'aria-label': part.title, click: () => part.run() }, icon(ICONS[part.icon]));
+      if (!part.small) button.append(el('span', { class: 'tool-text', text: part.text }));
+      if (!part.small && part.shortcut) button.append(key(part.shortcut));
+      this.buttons.set(part.name, { button, tool: part });
+      group.append(button);
+    }
+    this.element.append(group);
+  }
+
+  fill(): void {
+    this.element.append(el('span', { class: 'fill' }));
+  }
+
+  press(name: string, on: boolean): void {
+    this.buttons.get(name)?.button.setAttribute('aria-pressed', String(on));
+  }
+
+  disable(name: string, off: boolean): void {
+    const entry = this.buttons.get(name);
+    if (entry) entry.button.disabled = off;
+  }
+
+  /** Tools that change something, when nothing may be changed. */
+  mayChange(may: boolean): void {
+    for (const { button, tool } of this.buttons.values()) if (tool.changes) button.disabled = !may;
+  }
+}
