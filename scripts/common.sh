@@ -20,12 +20,15 @@ run() {
   "$@"
 }
 
-# listed_packages USE ...: the packages of scripts/packages.txt for the given uses.
+# listed_packages USE ...: the packages of scripts/packages.txt for the given uses, less
+# those whose command is there from somewhere else.
 listed_packages() {
-  local use
+  local use package command
   for use in "$@"; do
-    awk -v use="$use" '$1 !~ /^#/ && $2 ~ "(^|,)" use "(,|$)" {print $1}' \
+    awk -v use="$use" '$1 !~ /^#/ && $2 ~ "(^|,)" use "(,|$)" {print $1, $3}' \
       scripts/packages.txt
+  done | while read -r package command; do
+    [ -n "$command" ] && command -v "$command" >/dev/null || echo "$package"
   done
 }
 

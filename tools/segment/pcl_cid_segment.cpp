@@ -13,6 +13,7 @@
 #include "run/words.h"
 #include "scannet_outputs.h"
 #include "segment_settings.h"
+#include "session_labels.h"
 
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/io/scan_source.h>
@@ -160,6 +161,8 @@ main(int argc, char** argv)
       return;
     if (settings.cid_from)
       writeHeatMap(segment_tool, settings, *settings.cid_from);
+    else if (!settings.session.empty())
+      writeSessionLabels(segment_tool, settings);
     else
       segment(settings);
   });

@@ -8,6 +8,7 @@
  */
 
 #include "segment_settings.h"
+#include "session_labels.h"
 
 #include "heat_map.h"
 #include "run/loaded_scan.h"
@@ -44,6 +45,7 @@ declareLabelOptions(SegmentSettings& settings, CommandLine& line)
             settings.labels_from,
             "propose seeds and read their labels from this field of INPUT; prints how "
             "many points then have the label that the field says");
+  declareSessionOption(settings.session, line);
   line.choice(setting::clean_up, settings.clean_up);
 }
 
@@ -77,6 +79,7 @@ inputsOf(const SegmentSettings& settings)
 {
   std::vector<std::string> inputs = inputFiles(settings);
   inputs.push_back(settings.labels);
+  inputs.push_back(settings.session);
   return inputs;
 }
 

@@ -27,6 +27,7 @@ struct SegmentSettings : Settings {
   std::string labels;
   std::string labels_from;
   std::string propose;
+  std::string session;
   bool clean_up = setting::clean_up.initial;
   ScannetSettings scannet;
   std::optional<int> cid_from;

@@ -1,0 +1,90 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The labels of a session of pcl_cid_studio, without the studio.
+ */
+
+#include "session_labels.h"
+
+#include "run/loaded_scan.h"
+#include "run/parameter.h"
+#include "run/session_settings.h"
+#include "segment_settings.h"
+
+#include <pcl_cid/io/session_file.h>
+
+namespace pcl_cid::tools {
+namespace {
+
+void
+describe(const SegmentSettings& settings, const LabelSession& session, Report& report)
+{
+  report.parameters = {{"session", settings.session},
+                       parameter(setting::clean_up, settings.clean_up),
+                       parameter(setting::samples, settings.samples),
+                       parameter(setting::random_seed, settings.random_seed),
+                       parameter(setting::threads, settings.threads)};
+  for (Report::Parameter& each : parametersOf(settings.raw_scan))
+    report.parameters.push_back(std::move(each));
+  for (const SessionSeed& seed : session.seeds())
+    report.seed_labels.push_back(seed.label.value_or(0));
+}
+
+} // namespace
+
+void
+declareSessionOption(std::string& session, CommandLine& line)
+{
+  line.text("session",
+            "FILE",
+            session,
+            "the labels of a session of pcl_cid_studio on INPUT; settings are those of "
+            "the session");
+  line.exclude("session",
+               {"labels", "labels-from", "propose", "cid-from", "keep-zeros", "paper"});
+  line.exclude("session", {"superpoints", "scannet-submission"});
+  line.exclude("session",
+               {optionName(setting::seeds),
+                optionName(setting::coverage),
+                optionName(setting::samples),
+                optionName(setting::subsample),
+                optionName(setting::random_seed),
+                optionName(setting::start_index)});
+  line.exclude("session", rawScanOptionNames());
+}
+
+void
+writeSessionLabels(const std::string& tool, SegmentSettings settings)
+{
+  const SessionRecord record = readSession(settings.session);
+  useSettingsOf(record.settings, settings);
+  Run run(tool, settings.quiet, inputsOf(settings));
+  announceOutputs(settings, run.outputs);
+  LoadedScan scan = loadScan(settings, run);
+  requireScanOf(record, identityOf(scan.cloud), settings.session);
+  requireOutputHolds(settings.output, scan, run);
+
+  run.begin("Preparing");
+  const ExecutionOptions execution{settings.threads, run.console.progress()};
+  LabelSession session = prepareSession(settings, scan, execution);
+  run.end(std::to_string(scan.points.finite) + " finite points", "prepare");
+  run.begin("Replaying " + settings.session);
+  const std::size_t done = replaySession(record, settings.session, session, execution);
+  const std::vector<std::uint32_t> labels =
+      settings.clean_up ? session.cleanedLabels({}, execution) : session.labels();
+  run.end(std::to_string(done) + " actions", "replay");
+  describeDensity(session.scan().density(), run);
+  describeProposal(session.grouping().proposal(), scan.points, run.report);
+  describe(settings, session, run.report);
+
+  run.begin("Saving " + settings.output);
+  setLabels(labels, settings.label_type, scan.cloud);
+  writeScan(settings.output, scan.cloud, run.outputs);
+  run.end(std::to_string(scan.cloud.size()) + " points", "save");
+  run.finish(settings.report);
+}
+
+} // namespace pcl_cid::tools
