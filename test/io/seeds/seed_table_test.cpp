@@ -54,6 +54,15 @@ protected:
   CloudPoints points_ = fourPoints();
 };
 
+TEST_F(SeedTableTest, IsWrittenWithTheLabelsThatThereAre)
+{
+  std::ostringstream text;
+  writeSeedTable(text, {2, 1, 0}, points_, {7, std::nullopt, 0});
+  const SeedTable table = read(text.str());
+  EXPECT_EQ(table.seeds, (pcl::Indices{2, 0}));
+  EXPECT_EQ(table.labels, (std::vector<std::uint32_t>{7, 0}));
+}
+
 TEST_F(SeedTableTest, IsWrittenWithEmptyLabels)
 {
   std::ostringstream text;

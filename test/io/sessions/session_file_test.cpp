@@ -18,9 +18,7 @@
 #include <pcl_cid/io/session_file.h>
 
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -30,21 +28,6 @@ namespace pcl_cid::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string
-textOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-void
-writeText(const std::string& path, const std::string& text)
-{
-  std::ofstream(path, std::ios::binary) << text;
-}
 
 std::string
 messageOfOpening(const std::string& path, const ScanIdentity& scan)
@@ -63,19 +46,8 @@ protected:
   void
   SetUp() override
   {
-    folder_ = fs::temp_directory_path() /
-              ("session_file_test." + std::to_string(getpid()) + "." +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-    path_ = (folder_ / "room.session").string();
     scan_ = prepared(twoBoxes(300, 7));
     identity_ = {"room.pcd", 300, 0x1234567890abcdefu};
-  }
-
-  void
-  TearDown() override
-  {
-    fs::remove_all(folder_);
   }
 
   /** Actions in a file, and the state that they lead to. */
@@ -97,8 +69,8 @@ protected:
     return SessionState(session);
   }
 
-  fs::path folder_;
-  std::string path_;
+  TemporaryFolder folder_;
+  std::string path_ = folder_.file("room.session");
   PreparedScan::ConstPtr scan_;
   ScanIdentity identity_;
 };
@@ -140,7 +112,7 @@ TEST_F(SessionFiles, KeepTheirSettings)
 TEST_F(SessionFiles, LoseOnlyTheLineThatWasTorn)
 {
   writeRandomSession(12, 9);
-  const std::string whole = textOf(path_);
+  const std::string whole = readText(path_);
   for (std::size_t size = 1; size < whole.size(); ++size) {
     const bool is_at_an_end = whole[size - 1] == '\n' || whole[size] == '\n';
     if (!is_at_an_end && size % 29 != 1) // each waits for the disk
@@ -209,7 +181,7 @@ TEST_F(SessionFiles, AreOfOneScanAndOneProgram)
 TEST_F(SessionFiles, RefuseDamagedOnesWithTheLine)
 {
   writeRandomSession(8, 9);
-  const std::string whole = textOf(path_);
+  const std::string whole = readText(path_);
   const std::size_t second = whole.find('\n') + 1;
   const std::string header = whole.substr(0, second);
   const std::string rest = whole.substr(second);
@@ -217,7 +189,7 @@ TEST_F(SessionFiles, RefuseDamagedOnesWithTheLine)
     writeText(path_, text);
     const std::string message = messageOfOpening(path_, identity_);
     EXPECT_NE(message.find(reason), std::string::npos) << message;
-    EXPECT_EQ(textOf(path_), text) << "a file that was refused was changed";
+    EXPECT_EQ(readText(path_), text) << "a file that was refused was changed";
   };
   refused("x,y,z\n1,2,3\n", "line 1 is not JSON");
   refused("seeds", "it is not a session");
@@ -245,7 +217,7 @@ TEST_F(SessionFiles, RefuseWhatTheDiskCannotHold)
 {
   SessionFile file(path_, identity_, {});
   file.append(action::Propose{3});
-  const std::string before = textOf(path_);
+  const std::string before = readText(path_);
   // A file that must not grow stands for a full disk.
   rlimit old = {};
   getrlimit(RLIMIT_FSIZE, &old);
@@ -255,7 +227,7 @@ TEST_F(SessionFiles, RefuseWhatTheDiskCannotHold)
   EXPECT_THROW(file.append(action::Propose{4}), CIDException);
   setrlimit(RLIMIT_FSIZE, &old);
   signal(SIGXFSZ, handler);
-  EXPECT_EQ(textOf(path_), before);
+  EXPECT_EQ(readText(path_), before);
   file.append(action::Undo{});
   EXPECT_EQ(readSession(path_).actions.size(), 2u);
 }
