@@ -157,8 +157,8 @@ export class Camera {
   }
 
   home(smooth = true): Promise<void> {
-    const target = this.center.clone().addScaledVector(this.view.up, -0.08 * this.diagonal);
-    return this.lookFrom(target, this.direction(-Math.PI / 2.7, 0.72), this.distanceFor(this.diagonal * 0.46), smooth);
+    const target = this.center.clone().addScaledVector(this.view.up, -0.05 * this.diagonal);
+    return this.lookFrom(target, this.direction(-Math.PI / 2.7, 0.98), this.distanceFor(this.diagonal * 0.46), smooth);
   }
 
   top(): Promise<void> {
