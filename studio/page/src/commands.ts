@@ -41,6 +41,8 @@ export function connectCommands(parts: Parts): Commands {
   const commands: Commands = {
     next: () => {
       lasso.toggle(false);
+      // A question is about what is seen; these two show something measured.
+      if (colors.mode === 'cid' || colors.mode === 'doubt') colors.toggle(colors.mode);
       void questions.start();
     },
     skip: () => {

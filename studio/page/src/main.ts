@@ -157,7 +157,7 @@ async function load(
   view.invalidate();
 }
 
-const root = document.getElementById('studio')!;
+const root = document.getElementById('page')!;
 open(root).catch((error: unknown) => {
   root.replaceChildren(el('p', { class: 'opening wrong', role: 'alert', text: error instanceof Error ? error.message : String(error) }));
 });
