@@ -176,7 +176,7 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
     // Fewer points are drawn larger, so that surfaces stay closed.
     const thinning = Math.min(2.5, Math.sqrt(this.cloud.places / Math.max(1, drawn)));
     uniforms.worldSize.value = 1.7 * this.spacing() * this.pointSize * thinning;
-    uniforms.sizeLimits.value.set(Math.max(1, Math.min(this.pointSize, 2)) * this.pixelRatio, 24 * this.pixelRatio);
+    uniforms.sizeLimits.value.set(Math.max(1, Math.min(this.pointSize, 2)) * this.pixelRatio, 15 * this.pixelRatio);
     uniforms.dimmed.value = this.cloud.marked(1).length > 0;
     this.cloud.geometry.setDrawRange(0, drawn);
   }
