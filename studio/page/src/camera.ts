@@ -64,6 +64,8 @@ export class Camera {
     for (const name of ['controlstart', 'control', 'transitionstart', 'wake'] as const) {
       this.controls.addEventListener(name, () => this.view.invalidate());
     }
+    // Flying begins with a key; the frames after it come by themselves.
+    window.addEventListener('keydown', () => keysDown.size > 0 && view.invalidate());
     view.animate = (seconds) => this.animate(seconds);
   }
 

@@ -243,6 +243,28 @@ describe('the page of the studio', () => {
     assert.equal((await studio(page, () => window.studio.instances().length)), all.length);
   });
 
+  test('the view turns about the point under the cursor, and flies', async () => {
+    await calm();
+    const place = await studio(page, () => window.studio.pickAt(760, 420));
+    const where = () => studio(page, (p) => window.studio.project(p), place);
+    const [start, middle] = [await where(), 123];
+    const other = await studio(page, (p) => window.studio.project(p), middle);
+    await page.mouse.move(760, 420);
+    await page.mouse.down();
+    await page.mouse.move(860, 450, { steps: 4 });
+    await page.mouse.up();
+    await idle(page);
+    const turned = await where();
+    assert.ok(Math.hypot(turned.x - start.x, turned.y - start.y) < 2);
+    const after = await studio(page, (p) => window.studio.project(p), middle);
+    assert.ok(Math.hypot(after.x - other.x, after.y - other.y) > 5);
+    await page.keyboard.down('d');
+    await page.waitForTimeout(400);
+    await page.keyboard.up('d');
+    await idle(page);
+    assert.ok((await where()).x < turned.x - 5);
+  });
+
   test('all color modes', async () => {
     await calm();
     const seen = new Set();
