@@ -259,10 +259,10 @@ describe('the page of the studio', () => {
     const after = await studio(page, (p) => window.studio.project(p), middle);
     assert.ok(Math.hypot(after.x - other.x, after.y - other.y) > 5);
     await page.keyboard.down('d');
-    await page.waitForTimeout(400);
+    // As long as it takes: a software renderer draws few frames a second.
+    await page.waitForFunction(([p, x]) => window.studio.project(p).x < x, [place, turned.x - 5]);
     await page.keyboard.up('d');
     await idle(page);
-    assert.ok((await where()).x < turned.x - 5);
   });
 
   test('all color modes', async () => {
