@@ -30,9 +30,9 @@ export class World {
   }
 
   /** Nearest seed of each place; `except` leaves one label out. */
-  distances(except = null) {
+  distances(except) {
     const { positions } = this;
-    const seeds = this.state.seeds.filter((seed) => except === null || seed.label !== except);
+    const seeds = this.state.seeds.filter((seed) => except === undefined || seed.label !== except);
     const best = new Float32Array(this.places).fill(Infinity);
     const which = new Int32Array(this.places).fill(-1);
     seeds.forEach((seed, n) => {

@@ -73,7 +73,7 @@ export class Asking extends Emitter<{ closed: Asked; opened: Asked }> {
       classes: this.classes,
       classColor: (name) => colorOf(this.table.classNumber(name)),
       lastClass: this.lastClass,
-      near: all.slice(0, asked.kind === 'question' ? 4 : MOST_NEAR),
+      near: all.slice(0, asked.beside ? MOST_NEAR : 4),
       all,
       hint: asked.hint,
       answer: (answer) => this.answer(answer),

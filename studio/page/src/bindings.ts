@@ -75,7 +75,7 @@ export function bindings(c: Commands): Binding[] {
     { keys: ['Delete'], group: correct, text: 'Remove the seed under the cursor', run: c.removeSeed },
     { keys: ['P'], group: correct, text: 'Preview of what a click takes, on or off', run: c.previews },
     { keys: ['L'], group: correct, text: 'Lasso (Alt+drag takes paint away)', run: c.lasso },
-    { keys: ['Shift+U', 'Shift+D'], group: correct, text: 'Next doubtful area', run: c.nextDoubt },
+    { keys: ['Shift+U'], group: correct, text: 'Next doubtful area', run: c.nextDoubt },
     { keys: ['Ctrl+Z'], group: correct, text: 'Undo', run: c.undo, whileAsking: true },
     { keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], group: correct, text: 'Redo', run: c.redo, whileAsking: true },
 

@@ -52,8 +52,8 @@ export class Camera {
     canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: true });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     this.controls = new CameraControls(camera, canvas);
-    this.controls.smoothTime = 0.22;
-    this.controls.draggingSmoothTime = 0.04;
+    this.controls.smoothTime = this.still ? 0.01 : 0.22;
+    this.controls.draggingSmoothTime = this.still ? 0.01 : 0.04;
     this.controls.dollyToCursor = true;
     this.controls.infinityDolly = true;
     this.controls.minDistance = this.diagonal / 500;
@@ -64,7 +64,14 @@ export class Camera {
     for (const name of ['controlstart', 'control', 'transitionstart', 'wake'] as const) {
       this.controls.addEventListener(name, () => this.view.invalidate());
     }
+    // Flying begins with a key; the frames after it come by themselves.
+    window.addEventListener('keydown', () => keysDown.size > 0 && view.invalidate());
     view.animate = (seconds) => this.animate(seconds);
+  }
+
+  /** The person wants no motion that they don't make themselves. */
+  private get still(): boolean {
+    return window.matchMedia('(prefers-reduced-motion: reduce)').matches;
   }
 
   get isFlying(): boolean {
@@ -114,8 +121,7 @@ export class Camera {
     this.straighten();
     this.flying++;
     this.view.invalidate();
-    const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    await this.controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, smooth && !still);
+    await this.controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, smooth && !this.still);
     this.flying--;
     this.view.invalidate();
   }
@@ -157,8 +163,8 @@ export class Camera {
   }
 
   home(smooth = true): Promise<void> {
-    const target = this.center.clone().addScaledVector(this.view.up, -0.08 * this.diagonal);
-    return this.lookFrom(target, this.direction(-Math.PI / 2.7, 0.72), this.distanceFor(this.diagonal * 0.46), smooth);
+    const target = this.center.clone().addScaledVector(this.view.up, -0.05 * this.diagonal);
+    return this.lookFrom(target, this.direction(-Math.PI / 2.7, 0.98), this.distanceFor(this.diagonal * 0.46), smooth);
   }
 
   top(): Promise<void> {

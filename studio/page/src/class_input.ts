@@ -63,7 +63,7 @@ export class ClassInput {
       autocomplete: 'off',
       spellcheck: 'false',
       'data-asking': true,
-      placeholder: options.lastClass ? `Type a class, or Enter for “${options.lastClass}”` : 'Type a class',
+      placeholder: options.lastClass ? `Class, or Enter: ${options.lastClass}` : 'Type a class',
       input: () => this.complete(),
       keydown: (event: KeyboardEvent) => this.pressed(event),
     });

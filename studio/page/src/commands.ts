@@ -11,7 +11,7 @@ import { bindings } from './bindings';
 import type { Commands } from './bindings';
 import { MARK_GROUP } from './cloud_geometry';
 import type { Parts } from './parts';
-import { extent } from './view_points';
+import { chooseViewPoint } from './view_points';
 
 export function connectCommands(parts: Parts): Commands {
   const { actions, asking, camera, colors, corrections, doubt, help, isDrawn, keys, lasso, messages } = parts;
@@ -41,6 +41,8 @@ export function connectCommands(parts: Parts): Commands {
   const commands: Commands = {
     next: () => {
       lasso.toggle(false);
+      // A question is about what is seen; these two show something measured.
+      if (colors.mode === 'cid' || colors.mode === 'doubt') colors.toggle(colors.mode);
       void questions.start();
     },
     skip: () => {
@@ -120,9 +122,8 @@ export function connectCommands(parts: Parts): Commands {
       messages.note(`${session.nameOf(label)} has no points.`);
       return;
     }
-    const { center, radius } = extent(view.cloud.positions, places);
-    const distance = camera.distanceFor(Math.max(1.6 * radius, parts.diagonal * 0.05));
-    void camera.lookFrom(center, camera.direction(camera.azimuth, 0.6), distance);
+    const { target, direction, distance } = chooseViewPoint(view, camera, places, parts.diagonal, isDrawn);
+    void camera.lookFrom(target, direction, distance);
   };
   return commands;
 }

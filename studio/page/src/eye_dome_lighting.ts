@@ -51,6 +51,7 @@ export class EyeDomeLighting {
         nearFar: { value: new Vector2() },
         strength: { value: 1 },
         radius: { value: 1 },
+        plain: { value: false },
         background: { value: new Vector3(0.078, 0.09, 0.11) },
       },
     });
@@ -66,10 +67,11 @@ export class EyeDomeLighting {
     this.target.setSize(width, height);
   }
 
-  draw(renderer: WebGLRenderer, camera: PerspectiveCamera, pixelRatio: number): void {
+  draw(renderer: WebGLRenderer, camera: PerspectiveCamera, pixelRatio: number, shaded: boolean): void {
     const { uniforms } = this.material;
     uniforms.nearFar.value.set(camera.near, camera.far);
-    uniforms.strength.value = this.enabled ? 1 : 0;
+    uniforms.strength.value = this.enabled && shaded ? 1 : 0;
+    uniforms.plain.value = !shaded;
     uniforms.radius.value = 1.4 * pixelRatio;
     renderer.setRenderTarget(null);
     renderer.render(this.scene, this.camera);

@@ -38,6 +38,8 @@ export function keyName(event: KeyboardEvent): string {
   return [...parts, name].join('+');
 }
 
+const REPEATS = /^(Arrow|Page|Ctrl\+[ZY]|[[\]+=-]$)/;
+
 function isField(target: EventTarget | null): target is HTMLInputElement {
   return (
     target instanceof HTMLSelectElement ||
@@ -81,9 +83,12 @@ export class Keys {
       // These two press the button that has the focus.
       if (name === 'Enter' || name === 'Space') return;
     }
-    if (!isField(target) && !event.ctrlKey && !event.altKey && !event.metaKey) this.down.add(event.code);
-    if (!binding?.run) return;
+    if (!binding?.run) {
+      if (!isField(target) && !event.ctrlKey && !event.altKey && !event.metaKey) this.down.add(event.code);
+      return;
+    }
     event.preventDefault();
-    binding.run();
+    // A key that is held down goes on moving things, but asks and switches only once.
+    if (!event.repeat || REPEATS.test(name)) binding.run();
   }
 }

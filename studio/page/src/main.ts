@@ -107,6 +107,11 @@ async function open(root: HTMLElement): Promise<void> {
     asking.close();
     questions.leave();
   });
+  // After a click the keys belong to the work again: Space must not press the same button once more.
+  document.addEventListener('click', (event) => {
+    const button = (event.target as Element).closest('button');
+    if (event.detail > 0 && button && button === document.activeElement) button.blur();
+  });
   table.refresh();
   colors.set(colors.mode);
   section.apply();
@@ -157,7 +162,7 @@ async function load(
   view.invalidate();
 }
 
-const root = document.getElementById('studio')!;
+const root = document.getElementById('page')!;
 open(root).catch((error: unknown) => {
   root.replaceChildren(el('p', { class: 'opening wrong', role: 'alert', text: error instanceof Error ? error.message : String(error) }));
 });

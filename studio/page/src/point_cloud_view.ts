@@ -43,6 +43,7 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
   private pulseUntil = 0;
   private lastFrame = 0;
   private budget = 1_500_000;
+  private slow = false;
   arrivedPlaces = 0;
   frames = 0;
 
@@ -140,8 +141,8 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
 
   private frame(now: number): void {
     this.requested = 0;
-    const seconds = Math.min(0.1, (now - this.lastFrame) / 1000);
-    const continued = now - this.lastFrame < 400;
+    const seconds = Math.min(0.3, (now - this.lastFrame) / 1000);
+    const continued = now - this.lastFrame < 3000;
     const moved = this.animate(this.moving && continued ? seconds : 1 / 60);
     if (moved) {
       if (this.moving && continued) this.adaptBudget(now - this.lastFrame);
@@ -159,6 +160,7 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
 
   /** Thinner where frames take long, denser where there is time. */
   private adaptBudget(milliseconds: number): void {
+    this.slow = milliseconds > (this.slow ? 30 : 60);
     if (milliseconds > 45) this.budget = Math.max(LEAST_BUDGET, this.budget * 0.75);
     else if (milliseconds < 22) this.budget = Math.min(MOST_BUDGET, this.budget * 1.1);
   }
@@ -173,8 +175,8 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
     const drawn = this.drawnPlaces;
     // Fewer points are drawn larger, so that surfaces stay closed.
     const thinning = Math.min(2.5, Math.sqrt(this.cloud.places / Math.max(1, drawn)));
-    uniforms.worldSize.value = 1.25 * this.spacing() * this.pointSize * thinning;
-    uniforms.sizeLimits.value.set(Math.max(1, Math.min(this.pointSize, 2)) * this.pixelRatio, 24 * this.pixelRatio);
+    uniforms.worldSize.value = 1.7 * this.spacing() * this.pointSize * thinning;
+    uniforms.sizeLimits.value.set(Math.max(1, Math.min(this.pointSize, 2)) * this.pixelRatio, 15 * this.pixelRatio);
     uniforms.dimmed.value = this.cloud.marked(1).length > 0;
     this.cloud.geometry.setDrawRange(0, drawn);
   }
@@ -186,7 +188,9 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
     this.prepare();
     this.renderer.setRenderTarget(this.lighting.target);
     this.renderer.render(this.scene, this.camera);
-    this.lighting.draw(this.renderer, this.camera, this.pixelRatio);
+    // Where frames take long, the shading waits until the camera rests.
+    const shaded = !(this.moving && this.slow);
+    this.lighting.draw(this.renderer, this.camera, this.pixelRatio, shaded);
     this.frames++;
     this.emit('frame', now);
   }

@@ -23,6 +23,7 @@ uniform sampler2D depth;
 uniform vec2 nearFar;
 uniform float strength;      // 0: no shading
 uniform float radius;        // in pixels
+uniform bool plain;          // the picture as it is: for slow machines while the camera moves
 uniform vec3 background;
 
 out vec4 outColor;
@@ -42,21 +43,25 @@ void main() {
   float own = logDistance(at);
   vec3 below = background * (1.0 - 0.35 * distance(gl_FragCoord.xy / vec2(size), vec2(0.5, 0.55)));
   vec3 color = own == 0.0 ? below : here.rgb;
+  if (plain) {
+    outColor = vec4(color, 1.0);
+    return;
+  }
   float sum = 0.0;
   float outline = 0.0;
-  bool plain = own == 0.0 || here.a > 0.9;
+  bool unmarked = own == 0.0 || here.a > 0.9;
   for (int i = 0; i < 8; i++) {
     float angle = 0.7853982 * float(i);
     ivec2 near_ = clamp(at + ivec2(round(radius * vec2(cos(angle), sin(angle)))), ivec2(0), size - 1);
     float other = logDistance(near_);
     if (other > 0.0) {
       if (own > 0.0) sum += max(0.0, own - other);
-      if (plain) outline = max(outline, 1.0 - texelFetch(picture, near_, 0).a);
+      if (unmarked) outline = max(outline, 1.0 - texelFetch(picture, near_, 0).a);
     }
   }
   // A step of a hundredth of the distance shows; a wall seen at an angle stays bright.
   color *= exp(-strength * min(sum / 8.0, 0.05) * 60.0);
-  if (plain && outline > 0.1) {
+  if (unmarked && outline > 0.1) {
     color = outline > 0.5 ? vec3(0.55, 0.92, 1.0) : vec3(1.0, 0.84, 0.36);
   }
   outColor = vec4(color, 1.0);

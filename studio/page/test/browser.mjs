@@ -1,0 +1,70 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * A browser for the tests, and what every test needs: a page without errors, clicks on places, screenshots.
+ */
+
+import { mkdirSync } from 'node:fs';
+import { chromium } from 'playwright-core';
+
+const ARGUMENTS = [
+  '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync',
+];
+
+export function launch() {
+  return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, args: ARGUMENTS });
+}
+
+/** A page on the studio that remembers what went wrong in it. */
+export async function openStudio(browser, url, { width = 1440, height = 900, context } = {}) {
+  const owner = context ?? (await browser.newContext({ viewport: { width, height }, reducedMotion: 'reduce' }));
+  const page = await owner.newPage();
+  page.setDefaultTimeout(20000);
+  page.problems = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error' || /Content.Security/i.test(message.text())) page.problems.push(message.text());
+  });
+  page.on('pageerror', (error) => page.problems.push(String(error)));
+  await page.goto(url);
+  await page.waitForFunction(() => window.studio?.connected());
+  await idle(page);
+  return page;
+}
+
+export const idle = (page) => page.evaluate(() => window.studio.idle());
+export const studio = (page, f, argument) => page.evaluate(f, argument);
+export const counts = (page) => page.evaluate(() => window.studio.counts());
+
+/** A place that a click would take, for which `test` (source of a function of a place) holds. */
+export async function placeWhere(page, test = 'true', tries = 6000) {
+  return page.evaluate(
+    ([source, most]) => {
+      const holds = new Function('place', 'studio', `return ${source}`);
+      const { places } = window.studio.counts();
+      for (let i = 0; i < Math.min(places, most); i++) {
+        const place = (i * 7919) % places;
+        if (window.studio.drawn(place) && holds(place, window.studio) && window.studio.visible(place)) return place;
+      }
+      return null;
+    },
+    [test, tries],
+  );
+}
+
+export async function clickPlace(page, place, options = {}) {
+  const at = await page.evaluate((p) => window.studio.project(p), place);
+  for (const key of options.modifiers ?? []) await page.keyboard.down(key);
+  await page.mouse.click(at.x, at.y);
+  for (const key of options.modifiers ?? []) await page.keyboard.up(key);
+  return at;
+}
+
+const folder = process.env.STUDIO_SHOTS ?? '/tmp/studio_shots';
+export async function shot(page, name) {
+  mkdirSync(folder, { recursive: true });
+  await page.screenshot({ path: `${folder}/${name}.png` });
+}
