@@ -39,7 +39,15 @@ MessageQueue::push(ClientId client, Frame frame)
     last_change_ = count_;
   else
     last_asked_[topicOf(client, frame)] = count_;
-  messages_.push_back({client, std::move(frame), count_});
+  messages_.push_back({client, std::move(frame), count_, false});
+  came_.notify_one();
+}
+
+void
+MessageQueue::pushPromotion(ClientId client)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  messages_.push_back({client, {}, ++count_, true});
   came_.notify_one();
 }
 

@@ -26,7 +26,8 @@ namespace pcl_cid::studio {
 struct Message {
   ClientId client = 0;
   Frame frame;
-  std::uint64_t number = 0; ///< it came as the so-manyth
+  std::uint64_t number = 0;  ///< it came as the so-manyth
+  bool is_promotion = false; ///< no message, but the news that the page is the writer
 };
 
 /** \brief Messages in the order in which they came, from one thread to another. It
@@ -37,6 +38,10 @@ public:
   /** \brief From the thread of the server. */
   void
   push(ClientId client, Frame frame);
+
+  /** \brief Likewise: the page has become the writer. */
+  void
+  pushPromotion(ClientId client);
 
   /** \brief Wait for a message.
    *  \return nothing once the queue is closed */

@@ -108,7 +108,9 @@ QuestionDesk::doubtful(const Frame& question, const ExecutionOptions& execution)
       !(below->get<float>() > 0.0f))
     throw CIDException("'below' must be a number of metres above 0");
   margins(execution);
-  const auto area = doubt_->largestArea(margins_, below->get<float>());
+  const auto area = doubt_->area(margins_,
+                                 below->get<float>(),
+                                 optionalNumberIn(question.header, "skip").value_or(0));
   if (!area)
     return {{{"place", nullptr}, {"size", 0}}, {}};
   return withPlaces(

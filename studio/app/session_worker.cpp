@@ -106,7 +106,7 @@ void
 SessionWorker::promoted(ClientId client)
 {
   writer_ = client;
-  server_->send(client, {{{"event", "writer"}, {"writer", true}}, {}});
+  messages_.pushPromotion(client);
 }
 
 void
@@ -117,7 +117,7 @@ SessionWorker::work()
   desk_ =
       std::make_unique<QuestionDesk>(session_->session(), places_, points_, exporter_);
   while (const std::optional<Message> message = messages_.pop())
-    handle(*message);
+    message->is_promotion ? tellPromotion(*message) : handle(*message);
 }
 
 void
@@ -140,6 +140,16 @@ SessionWorker::handle(const Message& message)
   catch (const CIDException& error) {
     server_->send(message.client, refusal(id, error.what()));
   }
+}
+
+/** Nothing has changed but who the writer is. */
+void
+SessionWorker::tellPromotion(const Message& message)
+{
+  Json header = summaryFor(message.client == writer_);
+  header["event"] = "changed";
+  server_->send(message.client,
+                {std::move(header), changedLabels(session_->session(), {}, places_)});
 }
 
 void

@@ -81,6 +81,9 @@ private:
   handle(const Message& message);
 
   void
+  tellPromotion(const Message& message);
+
+  void
   change(const Message& message, const nlohmann::json& id);
 
   void

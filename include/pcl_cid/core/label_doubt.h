@@ -63,14 +63,16 @@ public:
   std::vector<float>
   margins(const LabelSession& session, const ExecutionOptions& execution = {});
 
-  /** \brief Of the points with a margin below a limit, the largest set that hangs
-   *  together; of equally large ones that with the earliest point. Two points are
-   *  neighbors when each is within two local spacings of the other, of all points that
-   *  are looked at.
+  /** \brief Of the points with a margin below a limit, a set that hangs together, by
+   *  size; of equally large ones that with the earliest point comes first. Two points
+   *  are neighbors when each is within two local spacings of the other, of all points
+   *  that are looked at.
    *  \param[in] margins as margins() returned them
-   *  \param[in] below metres */
+   *  \param[in] below metres
+   *  \param[in] rank 0 for the largest
+   *  \return nothing when there are not so many */
   std::optional<DoubtfulArea>
-  largestArea(const std::vector<float>& margins, float below) const;
+  area(const std::vector<float>& margins, float below, std::size_t rank = 0) const;
 
 private:
   using Costs = std::vector<float>;

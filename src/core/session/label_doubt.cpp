@@ -197,7 +197,7 @@ LabelDoubt::costsOf(pcl::index_t seed, const ExecutionOptions& execution) const
 }
 
 std::optional<DoubtfulArea>
-LabelDoubt::largestArea(const std::vector<float>& margins, float below) const
+LabelDoubt::area(const std::vector<float>& margins, float below, std::size_t rank) const
 {
   if (margins.size() != points_.size())
     throw CIDException(sentence("there are ",
@@ -207,20 +207,21 @@ LabelDoubt::largestArea(const std::vector<float>& margins, float below) const
                                 " points that are looked at"));
   const auto is_doubtful = [&](std::size_t i) { return margins[i] < below; };
   const std::vector<std::uint32_t> set_of = graph_->connectedSets(is_doubtful);
-  std::vector<std::size_t> size(points_.size(), 0);
+  std::map<std::uint32_t, pcl::Indices> members; // by set
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (is_doubtful(i))
-      ++size[set_of[i]];
-  const auto largest = std::max_element(size.begin(), size.end());
-  if (*largest == 0)
+      members[set_of[i]].push_back(static_cast<pcl::index_t>(i));
+  if (rank >= members.size())
     return std::nullopt;
-  const auto set = static_cast<std::uint32_t>(largest - size.begin());
-  pcl::Indices members;
-  for (std::size_t i = set; i < points_.size(); ++i)
-    if (set_of[i] == set)
-      members.push_back(static_cast<pcl::index_t>(i));
-  DoubtfulArea area{points_[static_cast<std::size_t>(graph_->inmostOf(members))], {}};
-  for (const pcl::index_t i : members)
+  std::vector<const pcl::Indices*> by_size;
+  for (const auto& [set, each] : members)
+    by_size.push_back(&each);
+  std::stable_sort(by_size.begin(), by_size.end(), [](const auto* a, const auto* b) {
+    return a->size() > b->size();
+  });
+  const pcl::Indices& chosen = *by_size[rank];
+  DoubtfulArea area{points_[static_cast<std::size_t>(graph_->inmostOf(chosen))], {}};
+  for (const pcl::index_t i : chosen)
     area.points.push_back(points_[static_cast<std::size_t>(i)]);
   return area;
 }

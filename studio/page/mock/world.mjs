@@ -201,7 +201,7 @@ export class World {
     if (h.ask === 'doubtful') {
       const doubt = this.doubt();
       const low = this.where((i) => doubt[i] < h.below);
-      if (low.length === 0) return [{ place: null, size: 0 }, {}];
+      if (low.length === 0 || h.skip > 0) return [{ place: null, size: 0 }, {}];
       const near = low.filter((i) => Math.hypot(...[0, 1, 2].map((k) => this.positions[3 * i + k] - this.positions[3 * low[0] + k])) < 0.4);
       return [{ place: low[0], size: near.length }, { places: near }];
     }

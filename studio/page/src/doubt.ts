@@ -15,10 +15,15 @@ import { count, metres } from './dom';
 import type { Messages } from './messages';
 import type { PointCloudView } from './point_cloud_view';
 import type { SectionCut } from './section';
+import type { Session } from './session';
 import { chooseViewPoint } from './view_points';
 
 export class Doubt {
+  private skip = 0;
+  private revision = -1;
+
   constructor(
+    private session: Session,
     private actions: Actions,
     private colors: ColorModes,
     private view: PointCloudView,
@@ -29,16 +34,24 @@ export class Doubt {
     private isDrawn: (place: number) => boolean,
   ) {}
 
+  /** How many areas were shown since the last change: the next one is smaller. */
+  private seen(): number {
+    this.skip = this.revision === this.session.revision ? this.skip + 1 : 0;
+    this.revision = this.session.revision;
+    return this.skip;
+  }
+
   async next(): Promise<void> {
     if (this.colors.mode !== 'doubt') this.colors.set('doubt');
     // The limit follows the values of this scan.
     await this.colors.loadDoubt();
     const below = this.colors.doubtBelow;
-    const message = await this.actions.ask({ ask: 'doubtful', below });
+    const message = await this.actions.ask({ ask: 'doubtful', below, skip: this.seen() });
     if (!message) return;
     const place = message.header.place as number | null;
     if (place === null) {
-      this.messages.note('There is no doubtful area.');
+      this.messages.note(this.skip > 0 ? 'That was the last doubtful area; the next is the largest again.' : 'There is no doubtful area.');
+      this.skip = -1;
       return;
     }
     const found = message.arrays.places as Uint32Array | undefined;

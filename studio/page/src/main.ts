@@ -78,7 +78,7 @@ async function open(root: HTMLElement): Promise<void> {
   const colors = new ColorModes(view, session, section, actions, info.has_color);
   const asking = new Asking(area, view, session, table, picking, messages, info.classes.map((one) => one.name));
   const corrections = new Corrections(actions, asking, session, view, picking, messages);
-  const doubt = new Doubt(actions, colors, view, camera, section, messages, diagonal, isDrawn);
+  const doubt = new Doubt(session, actions, colors, view, camera, section, messages, diagonal, isDrawn);
   const questions = new Questions(actions, asking, session, view, camera, section, messages, diagonal, isDrawn, () => void doubt.next());
   const lasso = new Lasso(area, view, camera, picking, actions, asking, session, messages, isDrawn);
   const panel = new InstancesPanel(session, table, corrections, actions, asking, messages);

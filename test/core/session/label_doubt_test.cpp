@@ -117,15 +117,19 @@ TEST(LabelDoubt, FindsTheLargestAreaThatHangsTogether)
   }
   const LabelDoubt doubt(prepared(points), samples_on_segment, all);
   std::vector<float> margins(16, 1.0f);
-  EXPECT_FALSE(doubt.largestArea(margins, 0.5f));
+  EXPECT_FALSE(doubt.area(margins, 0.5f));
   margins[3] = margins[4] = 0.1f;
   for (std::size_t i = 10; i < 16; ++i)
     margins[i] = 0.2f;
   margins[9] = std::numeric_limits<float>::quiet_NaN();
-  std::optional<DoubtfulArea> area = doubt.largestArea(margins, 0.5f);
+  std::optional<DoubtfulArea> area = doubt.area(margins, 0.5f);
   ASSERT_TRUE(area);
   EXPECT_EQ(area->points, (pcl::Indices{10, 11, 12, 13, 14, 15}));
-  area = doubt.largestArea(margins, 0.15f);
+  area = doubt.area(margins, 0.5f, 1);
+  ASSERT_TRUE(area);
+  EXPECT_EQ(area->points, (pcl::Indices{3, 4}));
+  EXPECT_FALSE(doubt.area(margins, 0.5f, 2));
+  area = doubt.area(margins, 0.15f);
   ASSERT_TRUE(area);
   EXPECT_EQ(area->points, (pcl::Indices{3, 4}));
 }
@@ -140,7 +144,7 @@ TEST(LabelDoubt, RefusesWhatItCannotTell)
   EXPECT_THROW(LabelDoubt(scan, 1, {0}), CIDException);
   LabelDoubt doubt(scan, samples_on_segment, {0, 1});
   EXPECT_THROW(doubt.margins(LabelSession(prepared(twoBoxes(60, 7)))), CIDException);
-  EXPECT_THROW(doubt.largestArea({1.0f}, 0.5f), CIDException);
+  EXPECT_THROW(doubt.area({1.0f}, 0.5f), CIDException);
 }
 
 } // namespace

@@ -8,7 +8,7 @@
  */
 
 #include "random_actions.h"
-#include "tool_process.h"
+#include "segment_tool.h"
 
 #include <pcl_cid/cid_label_propagation.h>
 #include <pcl_cid/io/cloud_formats.h>
