@@ -4,16 +4,19 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The work of an annotator, against the mock or, with STUDIO_URL, against a real server.
+ * The work of an annotator, against the mock or, with STUDIO_PROGRAM and STUDIO_SCAN, with the real program.
  */
 
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
+import { statSync } from 'node:fs';
 import { clickPlace, counts, idle, launch, openStudio, placeWhere, shot, studio } from './browser.mjs';
+import { copyOf, startProgram } from './program.mjs';
 
-const real = process.env.STUDIO_URL;
+const real = process.env.STUDIO_PROGRAM;
 const onlyMock = real ? { skip: 'needs the mock' } : {};
-let world, mock, browser, page, url;
+const onlyReal = real ? {} : { skip: 'needs the real program' };
+let world, mock, copy, program, browser, page, url;
 
 async function startMock(port = 0) {
   const { startMock: start } = await import('../mock/server.mjs');
@@ -21,9 +24,16 @@ async function startMock(port = 0) {
   url = mock.url;
 }
 
+async function startReal() {
+  program = await startProgram(real, copy.scan, ['--classes', 's3dis']);
+  url = program.url;
+}
+
 before(async () => {
-  if (real) url = real;
-  else {
+  if (real) {
+    copy = copyOf(process.env.STUDIO_SCAN);
+    await startReal();
+  } else {
     const { World } = await import('../mock/world.mjs');
     world = new World();
     await startMock();
@@ -35,6 +45,8 @@ before(async () => {
 after(async () => {
   await browser?.close();
   await mock?.close();
+  await program?.end('SIGINT');
+  copy?.remove();
 });
 
 const press = async (...keys) => {
@@ -296,6 +308,36 @@ describe('the page of the studio', () => {
     assert.match(await page.textContent('.outcome'), /no space left/);
     await shot(page, '12_save');
     await page.keyboard.press('Escape');
+  });
+
+  test('saves files that are there', onlyReal, async () => {
+    await calm();
+    await press('Control+s', 'Enter');
+    await page.waitForSelector('.outcome .right');
+    await shot(page, '12_save');
+    const [file] = await page.$$eval(".outcome li", (all) => all.map((one) => one.textContent));
+    assert.ok(file.startsWith(copy.folder) && statSync(file).size > 1000000, file);
+    await page.fill('.export input[name=file]', 'no/where');
+    await press('Enter');
+    await page.waitForSelector('.outcome .wrong');
+    assert.match(await page.textContent('.outcome'), /without folders/);
+    await page.keyboard.press('Escape');
+  });
+
+  test('loses nothing when the program is killed', onlyReal, async () => {
+    await calm();
+    const before = await counts(page);
+    const seen = (p) => studio(p, () => [window.studio.instances(), window.studio.seeds(), window.studio.counts()]);
+    const state = await seen(page);
+    await program.end('SIGKILL');
+    await page.waitForSelector('.banner.away');
+    await startReal();
+    await page.goto(url);
+    await page.waitForFunction(() => window.studio?.connected());
+    await idle(page);
+    assert.deepEqual(await seen(page), state);
+    assert.equal((await counts(page)).undo, before.undo);
+    page.problems = page.problems.filter((text) => !/ERR_CONNECTION_REFUSED|WebSocket connection/.test(text));
   });
 
   test('help lists all keys that are bound', async () => {
