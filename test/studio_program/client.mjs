@@ -179,7 +179,11 @@ export async function start(test, args, options) {
 export async function runToEnd(test, args, options) {
   const program = new Program(args, options);
   test.after(() => program.kill());
-  const { code, signal } = await within(program.ended, 'the end of the program');
+  const opened = program.opened.then(
+    () => Promise.reject(new Error('it was not refused: the program is open')),
+    () => program.ended,
+  );
+  const { code, signal } = await within(opened, 'the end of the program');
   return { code, signal, stdout: program.stdout, stderr: program.stderr };
 }
 
