@@ -133,6 +133,12 @@ function decompressed(bytes, size) {
   return out;
 }
 
+/** A number of a text, as its type can hold it. */
+function numberOf(word, type) {
+  if (/nan/i.test(word)) return NaN;
+  return type === 'F4' ? Math.fround(Number(word)) : Number(word);
+}
+
 /** {fields: {name: [type, values]}, width, height, data} */
 export function readPcd(path) {
   const bytes = readFileSync(path);
@@ -156,7 +162,7 @@ export function readPcd(path) {
     if (lines.length !== count) throw new Error(`${lines.length} lines, ${count} points`);
     for (const line of lines)
       line.trim().split(/\s+/).forEach((word, k) => {
-        fields[names[k]][1].push(/nan/i.test(word) ? NaN : Number(word));
+        fields[names[k]][1].push(numberOf(word, types[k]));
       });
     return { fields, width, height, data };
   }
@@ -200,7 +206,7 @@ export function readPly(path) {
     const lines = bytes.toString('latin1', end).split('\n').slice(0, count);
     for (const line of lines)
       line.trim().split(/\s+/).forEach((word, k) => {
-        fields[properties[k][0]][1].push(/nan/i.test(word) ? NaN : Number(word));
+        fields[properties[k][0]][1].push(numberOf(word, properties[k][1]));
       });
     return { fields, format };
   }
