@@ -315,7 +315,7 @@ describe('the page of the studio', () => {
     await press('Control+s', 'Enter');
     await page.waitForSelector('.outcome .right');
     await shot(page, '12_save');
-    const [file] = await page.$$eval(".outcome li", (all) => all.map((one) => one.textContent));
+    const [file] = await page.$$eval('.outcome li', (all) => all.map((one) => one.textContent));
     assert.ok(file.startsWith(copy.folder) && statSync(file).size > 1000000, file);
     await page.fill('.export input[name=file]', 'no/where');
     await press('Enter');
