@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace pcl_cid {
@@ -102,8 +103,22 @@ public:
     }
     if (how == UpperBound::exact)
       return largestOfLooks();
+    return mostOfLooks();
+  }
+
+  /** An upper bound of the CID, from the looks so far. */
+  float
+  mostOfLooks() const
+  {
     return std::sqrt(orDistance(caps_.largest())) * (1.0f + rounding::of_product) +
            samples_.slack;
+  }
+
+  /** The largest of the exact distances so far. */
+  float
+  largest() const
+  {
+    return largest_;
   }
 
   /** The largest distance: take a look where the bound is largest, and the exact
@@ -288,10 +303,13 @@ private:
   std::size_t found_ = 0; ///< of them
 };
 
-std::optional<float>
-SegmentSearch::findAtLeast(const Segment& segment, float limit, std::size_t& hint)
+DistanceBounds
+SegmentSearch::bounds(const Segment& segment, float limit, std::size_t& hint)
 {
-  return SearchOfSegment(*this, segment).findAtLeast(limit, hint);
+  SearchOfSegment search(*this, segment);
+  if (const std::optional<float> found = search.findAtLeast(limit, hint))
+    return {*found, infinity};
+  return {search.largest(), std::min(search.mostOfLooks(), limit)};
 }
 
 float

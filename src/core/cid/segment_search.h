@@ -14,7 +14,6 @@
 #include <pcl_cid/core/distance_field.h>
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace pcl_cid {
@@ -48,9 +47,10 @@ public:
   }
 
   /** \brief Whether the CID reaches a limit, which is cheaper than computing the CID.
-   *  \return at least \a limit and at most the CID; nothing when the CID is less */
-  std::optional<float>
-  findAtLeast(const Segment& segment, float limit, std::size_t& hint);
+   *  \return bounds of the CID: the lower one is at least \a limit, or the upper one at
+   *  most that and the CID less */
+  DistanceBounds
+  bounds(const Segment& segment, float limit, std::size_t& hint);
 
   /** \brief An upper bound of the CID; \a limit when the CID is not below that. */
   float
