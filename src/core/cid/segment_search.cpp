@@ -38,6 +38,7 @@ public:
   , samples_(segment.p, segment.q, order_.samples())
   , samples_a_metre_(1.0f / samples_.spacing)
   , caps_(samples_, order_, memory.caps_)
+  , trail_(memory.trail_)
   , looks_(memory.looks_)
   {
   }
@@ -47,14 +48,12 @@ public:
   std::optional<float>
   findAtLeast(float limit, std::size_t& hint)
   {
-    const DistanceField::Nearest at_hint = evaluate(hint);
-    if (at_hint.distance >= limit)
-      return at_hint.distance;
     start(limit);
-    settle(hint, at_hint);
     const float target = caps_.squareOf(limit);
-    for (const std::size_t end : {std::size_t{0}, order_.last()})
-      if (reaches(end, limit, target))
+    if (caps_[hint] >= target)
+      lookUp(hint);
+    for (const std::size_t l : {hint, std::size_t{0}, order_.last()})
+      if (reaches(l, limit, target))
         return reached_;
     const std::size_t before = hint - std::min<std::size_t>(hint, 1);
     for (const std::size_t beside : {before, std::min(hint + 1, order_.last())}) {
@@ -199,7 +198,10 @@ private:
   {
     started_ = true;
     aim_ = aim;
-    caps_.reset();
+    if (trail_)
+      caps_.reset(*trail_);
+    else
+      caps_.reset();
     for (const std::size_t end : {std::size_t{0}, order_.last()})
       if (segment_.between_surface_points)
         settle(end, {end == 0 ? segment_.p : segment_.q, 0.0f});
@@ -243,6 +245,8 @@ private:
   void
   take(const Look& look)
   {
+    if (trail_)
+      trail_->set(look.sample, look.point);
     // Samples that are farther away are not within `aim_` of the point.
     const float reach = (aim_ + look.distance) * samples_a_metre_ + 1.0f;
     const std::size_t all = order_.last();
@@ -295,6 +299,7 @@ private:
   SegmentSamples samples_;
   float samples_a_metre_; ///< infinity where all samples are the same
   SampleCaps caps_;
+  SampleTrail* trail_; ///< null: none is followed
   bool started_ = false;
   float aim_ = infinity;
   float largest_ = 0.0f; ///< of the exact distances so far
@@ -302,6 +307,22 @@ private:
   std::vector<Look>& looks_;
   std::size_t found_ = 0; ///< of them
 };
+
+void
+SegmentSearch::follow(std::size_t origin)
+{
+  const auto known =
+      std::find_if(trails_.begin(), trails_.end(), [origin](const SampleTrail& trail) {
+        return trail.isFrom(origin);
+      });
+  if (known != trails_.end()) {
+    trail_ = &*known;
+    return;
+  }
+  last_ = (last_ + 1) % trails_.size();
+  trail_ = &trails_[last_];
+  trail_->begin(origin, order_, field_.blocks().position(0));
+}
 
 DistanceBounds
 SegmentSearch::bounds(const Segment& segment, float limit, std::size_t& hint)

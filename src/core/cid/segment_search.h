@@ -9,10 +9,12 @@
 
 #pragma once
 
+#include "sample_trail.h"
 #include "segment_samples.h"
 
 #include <pcl_cid/core/distance_field.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -46,6 +48,12 @@ public:
   {
   }
 
+  /** \brief Until the next call, segments are from one point to points next to each
+   *  other: what a search finds shortens the next one. It never changes a result.
+   *  \param[in] origin names that point */
+  void
+  follow(std::size_t origin);
+
   /** \brief Whether the CID reaches a limit, which is cheaper than computing the CID.
    *  \return bounds of the CID: the lower one is at least \a limit, or the upper one at
    *  most that and the CID less */
@@ -73,6 +81,9 @@ private:
 
   const DistanceField& field_;
   const SampleOrder& order_;
+  std::array<SampleTrail, 4> trails_; ///< of the last origins
+  std::size_t last_ = 0;              ///< of them
+  SampleTrail* trail_ = nullptr;      ///< that is followed
   Eigen::ArrayXf caps_;
   std::vector<Look> looks_; ///< as many as the largest level so far; never cleared
 };

@@ -187,6 +187,7 @@ BlockGroups::compare(Contender& contender,
   const Segment segment = segmentTo(contender.id, point);
   const PairCost cost = costOf(contender.id, point);
   std::size_t& hint = contender.hint;
+  search.follow(static_cast<std::size_t>(contender.id));
   if (!exactly) {
     const float below = cost.cidBelow(limit);
     const DistanceBounds cid = search.bounds(segment, below, hint);
