@@ -21,41 +21,16 @@ namespace {
 constexpr float longest_edge = 2.0f;
 
 /** Points of a patch at most: more are seldom of one group, fewer spare less. */
-constexpr std::size_t most_of_patch = 32;
+constexpr std::uint32_t most_of_patch = 32;
 
 } // namespace
 
 SurfaceGraph::SurfaceGraph(const Points& points, const NearestNeighbors& neighbors)
 {
-  const Listed listed = listEdges(points, neighbors);
   order(neighbors);
-  cutIntoPatches(listed);
-  setVertices();
-  makeMutual(listed);
+  const Listed listed = listEdges(points, neighbors);
+  makeMutual(listed, cutIntoPatches(listed));
   linkPatches();
-}
-
-SurfaceGraph::Listed
-SurfaceGraph::listEdges(const Points& points, const NearestNeighbors& neighbors)
-{
-  const std::size_t edges = std::min(most_edges, neighbors.count());
-  Listed listed;
-  listed.begin.reserve(points.size() + 1);
-  listed.ends.reserve(points.size() * edges);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    listed.begin.push_back(listed.ends.size());
-    if (neighbors.firstAt(i) != static_cast<pcl::index_t>(i))
-      listed.ends.push_back(neighbors.firstAt(i));
-    const float longest = longest_edge * neighbors.reach(i);
-    for (std::size_t k = 0; k < edges; ++k) {
-      const pcl::index_t q = neighbors.neighbor(i, k);
-      if ((points[i] - points[static_cast<std::size_t>(q)]).norm() > longest)
-        break; // they are in the order of their distances
-      listed.ends.push_back(q);
-    }
-  }
-  listed.begin.push_back(listed.ends.size());
-  return listed;
 }
 
 /** Points that are near each other in a row, those at one place together. */
@@ -74,72 +49,97 @@ SurfaceGraph::order(const NearestNeighbors& neighbors)
     ++next[turnOf(i) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   points_.resize(all);
-  for (std::size_t i = 0; i < all; ++i)
-    points_[next[turnOf(i)]++] = static_cast<pcl::index_t>(i);
-  setVertices();
+  vertices_.resize(all);
+  for (std::size_t i = 0; i < all; ++i) {
+    vertices_[i] = static_cast<Vertex>(next[turnOf(i)]++);
+    points_[vertices_[i]] = static_cast<pcl::index_t>(i);
+  }
 }
 
-void
-SurfaceGraph::setVertices()
+SurfaceGraph::Listed
+SurfaceGraph::listEdges(const Points& points, const NearestNeighbors& neighbors) const
 {
-  vertices_.resize(size());
-  for (Vertex v = 0; v < size(); ++v)
-    vertices_[pointOf(v)] = v;
+  const std::size_t edges = std::min(most_edges, neighbors.count());
+  Listed listed;
+  listed.begin.reserve(size() + 1);
+  listed.ends.reserve(size() * edges);
+  const auto add = [&](pcl::index_t q) {
+    listed.ends.push_back(vertexOf(static_cast<std::size_t>(q)));
+  };
+  for (Vertex v = 0; v < size(); ++v) {
+    listed.begin.push_back(listed.ends.size());
+    const std::size_t i = pointOf(v);
+    if (neighbors.firstAt(i) != static_cast<pcl::index_t>(i))
+      add(neighbors.firstAt(i));
+    const float longest = longest_edge * neighbors.reach(i);
+    for (std::size_t k = 0; k < edges; ++k) {
+      const pcl::index_t q = neighbors.neighbor(i, k);
+      if ((points[i] - points[static_cast<std::size_t>(q)]).norm() > longest)
+        break; // they are in the order of their distances
+      add(q);
+    }
+  }
+  listed.begin.push_back(listed.ends.size());
+  return listed;
 }
 
 /** A patch is what hangs together of a few vertices in a row; they change places so
- *  that it is a run. */
-void
+ *  that it is a run.
+ *  \return the new place of each vertex */
+std::vector<SurfaceGraph::Vertex>
 SurfaceGraph::cutIntoPatches(const Listed& listed)
 {
-  std::array<Vertex, most_of_patch> lowest; // of the patch of each of the vertices
-  for (std::size_t begin = 0; begin < size(); begin += most_of_patch) {
-    const std::size_t count = std::min(most_of_patch, size() - begin);
-    std::iota(lowest.begin(), lowest.begin() + count, Vertex{0});
-    const auto join = [&](Vertex a, Vertex b) {
-      const Vertex low = std::min(lowest[a], lowest[b]);
-      const Vertex high = std::max(lowest[a], lowest[b]);
-      std::replace(lowest.begin(), lowest.begin() + count, high, low);
-    };
-    for (std::size_t k = 0; k < count; ++k)
-      listed.forEach(points_[begin + k], [&](pcl::index_t q) {
-        const std::size_t other = vertexOf(static_cast<std::size_t>(q)) - begin;
-        if (other < count && lowest[other] != lowest[k]) // wraps around below `begin`
-          join(static_cast<Vertex>(k), static_cast<Vertex>(other));
+  std::vector<Vertex> place(size());
+  for (Vertex begin = 0; begin < size(); begin += most_of_patch) {
+    const Vertex count = std::min(most_of_patch, static_cast<Vertex>(size()) - begin);
+    std::array<Vertex, most_of_patch> lowest; // of the patch of each of the vertices
+    std::iota(lowest.begin(), lowest.end(), Vertex{0});
+    for (Vertex k = 0; k < count; ++k)
+      listed.forEach(begin + k, [&](Vertex q) {
+        if (q < begin || q >= begin + count)
+          return;
+        const Vertex low = std::min(lowest[k], lowest[q - begin]);
+        const Vertex high = std::max(lowest[k], lowest[q - begin]);
+        if (low != high)
+          std::replace(lowest.begin(), lowest.begin() + count, high, low);
       });
-    std::array<std::pair<Vertex, pcl::index_t>, most_of_patch> sorted;
-    for (std::size_t k = 0; k < count; ++k)
-      sorted[k] = {lowest[k], points_[begin + k]};
-    std::stable_sort(sorted.begin(), sorted.begin() + count, [](auto& a, auto& b) {
-      return a.first < b.first;
-    });
-    for (std::size_t k = 0; k < count; ++k) {
-      points_[begin + k] = sorted[k].second;
-      if (k == 0 || sorted[k].first != sorted[k - 1].first)
-        patch_begin_.push_back(static_cast<Vertex>(begin + k));
+    Vertex next = begin;
+    for (Vertex first = 0; first < count; ++first) {
+      if (lowest[first] != first)
+        continue;
+      patch_begin_.push_back(next);
+      for (Vertex k = first; k < count; ++k)
+        if (lowest[k] == first)
+          place[begin + k] = next++;
     }
   }
   patch_begin_.push_back(static_cast<Vertex>(size()));
+  return place;
 }
 
-/** Each edge is listed by both of its vertices, once. */
+/** Vertices take their new places, and each edge is listed by both of its ends, once.
+ */
 void
-SurfaceGraph::makeMutual(const Listed& listed)
+SurfaceGraph::makeMutual(const Listed& listed, const std::vector<Vertex>& place)
 {
+  for (Vertex& vertex : vertices_)
+    vertex = place[vertex];
+  for (std::size_t i = 0; i < size(); ++i)
+    points_[vertexOf(i)] = static_cast<pcl::index_t>(i);
   const auto forEachEnd = [&](const auto& visit) {
-    for (std::size_t v = 0; v < size(); ++v)
-      listed.forEach(points_[v], [&](pcl::index_t q) {
-        visit(v, vertexOf(static_cast<std::size_t>(q)));
-        if (!listed.has(q, points_[v]))
-          visit(vertexOf(static_cast<std::size_t>(q)), static_cast<Vertex>(v));
+    for (Vertex v = 0; v < size(); ++v)
+      listed.forEach(v, [&](Vertex q) {
+        visit(place[v], place[q]);
+        if (!listed.has(q, v))
+          visit(place[q], place[v]);
       });
   };
   begin_.assign(size() + 1, 0);
-  forEachEnd([&](std::size_t v, Vertex) { ++begin_[v + 1]; });
+  forEachEnd([&](Vertex v, Vertex) { ++begin_[v + 1]; });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   ends_.resize(begin_.back());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  forEachEnd([&](std::size_t v, Vertex end) { ends_[next[v]++] = end; });
+  forEachEnd([&](Vertex v, Vertex end) { ends_[next[v]++] = end; });
 }
 
 void

@@ -11,7 +11,6 @@
 
 #include "nearest_neighbors.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -98,44 +97,39 @@ public:
   }
 
 private:
-  /** Listed edges, by point, before they are made mutual. */
+  /** Edges as points list them, not yet mutual, by vertex. */
   struct Listed {
-    std::vector<std::size_t> begin; ///< in ends, of each point; one more at the end
-    pcl::Indices ends;
+    std::vector<std::size_t> begin; ///< in ends, of each vertex; one more at the end
+    std::vector<Vertex> ends;
 
     template <typename Visit>
     void
-    forEach(pcl::index_t point, const Visit& visit) const
+    forEach(Vertex vertex, const Visit& visit) const
     {
-      const auto p = static_cast<std::size_t>(point);
-      std::for_each(ends.begin() + static_cast<std::ptrdiff_t>(begin[p]),
-                    ends.begin() + static_cast<std::ptrdiff_t>(begin[p + 1]),
-                    visit);
+      for (std::size_t k = begin[vertex]; k < begin[vertex + 1]; ++k)
+        visit(ends[k]);
     }
 
     bool
-    has(pcl::index_t point, pcl::index_t end) const
+    has(Vertex vertex, Vertex end) const
     {
       bool found = false;
-      forEach(point, [&](pcl::index_t q) { found = found || q == end; });
+      forEach(vertex, [&](Vertex q) { found = found || q == end; });
       return found;
     }
   };
 
-  static Listed
-  listEdges(const Points& points, const NearestNeighbors& neighbors);
-
   void
   order(const NearestNeighbors& neighbors);
 
-  void
-  setVertices();
+  Listed
+  listEdges(const Points& points, const NearestNeighbors& neighbors) const;
 
-  void
+  std::vector<Vertex>
   cutIntoPatches(const Listed& listed);
 
   void
-  makeMutual(const Listed& listed);
+  makeMutual(const Listed& listed, const std::vector<Vertex>& place);
 
   void
   linkPatches();
