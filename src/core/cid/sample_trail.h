@@ -31,6 +31,14 @@ public:
     is_begun_ = true;
     points_.resize(order.fractions().size(), 3);
     points_.rowwise() = point.transpose().array();
+    hint_ = order.last() / 2;
+  }
+
+  /** \brief The sample that decided last, see SegmentSearch. */
+  std::size_t&
+  hint()
+  {
+    return hint_;
   }
 
   /** \brief Whether it is of segments from this point. */
@@ -56,6 +64,7 @@ public:
 private:
   Eigen::Array<float, Eigen::Dynamic, 3> points_; ///< by column
   std::size_t origin_ = 0;
+  std::size_t hint_ = 0;
   bool is_begun_ = false;
 };
 

@@ -48,6 +48,9 @@ public:
   std::optional<float>
   findAtLeast(float limit, std::size_t& hint)
   {
+    const float low = lowerBound(hint);
+    if (low >= limit)
+      return low;
     start(limit);
     const float target = caps_.squareOf(limit);
     if (caps_[hint] >= target)
@@ -113,11 +116,16 @@ public:
            samples_.slack;
   }
 
-  /** The largest of the exact distances so far. */
-  float
-  largest() const
+  /** Bounds that tell whether the CID reaches a limit. Where it does not, the sample
+   *  that may be the farthest one gives the lower bound. */
+  DistanceBounds
+  bounds(float limit, std::size_t& hint)
   {
-    return largest_;
+    if (const std::optional<float> found = findAtLeast(limit, hint))
+      return {*found, infinity};
+    if (caps_.largest() > 0.0f)
+      hint = caps_.find(caps_.largest());
+    return {std::max(largest_, lowerBound(hint)), std::min(mostOfLooks(), limit)};
   }
 
   /** The largest distance: take a look where the bound is largest, and the exact
@@ -131,8 +139,8 @@ public:
     if (!started_) {
       start(infinity);
       lookUp(hint);
-      const float low = field_.grid().lowerBound(samples_.at(hint)) - samples_.slack;
-      const float target = caps_.squareOf(low); // smaller caps need no look
+      const float target =
+          caps_.squareOf(lowerBound(hint)); // smaller caps need no look
       for (std::size_t k = 0; k < std::min(first_levels, order_.levels().size()); ++k)
         lookUpAbove(order_.levels()[k], target);
     }
@@ -234,6 +242,12 @@ private:
     take(lookAt(l));
   }
 
+  float
+  lowerBound(std::size_t l) const
+  {
+    return field_.grid().lowerBound(samples_.at(l)) - samples_.slack;
+  }
+
   Look
   lookAt(std::size_t l) const
   {
@@ -263,7 +277,7 @@ private:
   {
     if (caps_[l] < target)
       return false;
-    reached_ = field_.grid().lowerBound(samples_.at(l)) - samples_.slack;
+    reached_ = lowerBound(l);
     if (reached_ < limit)
       settle(l, evaluate(l));
     return reached_ >= limit;
@@ -308,7 +322,7 @@ private:
   std::size_t found_ = 0; ///< of them
 };
 
-void
+std::size_t&
 SegmentSearch::follow(std::size_t origin)
 {
   const auto known =
@@ -317,20 +331,18 @@ SegmentSearch::follow(std::size_t origin)
       });
   if (known != trails_.end()) {
     trail_ = &*known;
-    return;
+    return trail_->hint();
   }
   last_ = (last_ + 1) % trails_.size();
   trail_ = &trails_[last_];
   trail_->begin(origin, order_, field_.blocks().position(0));
+  return trail_->hint();
 }
 
 DistanceBounds
 SegmentSearch::bounds(const Segment& segment, float limit, std::size_t& hint)
 {
-  SearchOfSegment search(*this, segment);
-  if (const std::optional<float> found = search.findAtLeast(limit, hint))
-    return {*found, infinity};
-  return {search.largest(), std::min(search.mostOfLooks(), limit)};
+  return SearchOfSegment(*this, segment).bounds(limit, hint);
 }
 
 float

@@ -50,8 +50,9 @@ public:
 
   /** \brief Until the next call, segments are from one point to points next to each
    *  other: what a search finds shortens the next one. It never changes a result.
-   *  \param[in] origin names that point */
-  void
+   *  \param[in] origin names that point
+   *  \return the hint that is left from the last time */
+  std::size_t&
   follow(std::size_t origin);
 
   /** \brief Whether the CID reaches a limit, which is cheaper than computing the CID.

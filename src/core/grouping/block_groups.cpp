@@ -126,9 +126,7 @@ BlockGroups::addSeed(pcl::index_t point,
 }
 
 void
-BlockGroups::removeSeeds(const std::vector<std::size_t>& ranks,
-                         bool exactly,
-                         Work work)
+BlockGroups::removeSeeds(const std::vector<std::size_t>& ranks, bool exactly, Work work)
 {
   std::vector<bool> removed(seeds_.size(), false);
   for (const std::size_t rank : ranks)

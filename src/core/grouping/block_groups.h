@@ -314,7 +314,7 @@ private:
   collectContenders(std::size_t block,
                     const Target& point,
                     const State& state,
-                    std::vector<Contender>& contenders) const;
+                    Scratch& scratch) const;
 
   std::optional<Contender>
   nearestOfFew(const Target& point, bool exactly, float& high, Scratch& scratch) const;

@@ -55,7 +55,7 @@ BlockGroups::decide(std::size_t b, int row, bool exactly, Scratch& scratch)
     return;
   const Target point = target(b, row);
   state.high = atMost(b, state);
-  collectContenders(b, point, state, scratch.contenders);
+  collectContenders(b, point, state, scratch);
   // "D_min[p] <- min over q of D[p, q]"
   const std::optional<Contender> found =
       nearestOfFew(point, exactly, state.high, scratch);
@@ -75,11 +75,14 @@ void
 BlockGroups::collectContenders(std::size_t b,
                                const Target& point,
                                const State& state,
-                               std::vector<Contender>& contenders) const
+                               Scratch& scratch) const
 {
+  std::vector<Contender>& contenders = scratch.contenders;
   contenders.clear();
   if (state.group >= 0 && state.low <= state.high) {
-    contenders.push_back(contender(state.group, state.low, order_.last() / 2));
+    const std::size_t hint =
+        scratch.search.follow(static_cast<std::size_t>(state.group));
+    contenders.push_back(contender(state.group, state.low, hint));
     contenders.back().is_exact = state.isExact();
   }
   const std::vector<Rival>& rivals = rivals_[b];
@@ -187,10 +190,11 @@ BlockGroups::compare(Contender& contender,
   const Segment segment = segmentTo(contender.id, point);
   const PairCost cost = costOf(contender.id, point);
   std::size_t& hint = contender.hint;
-  search.follow(static_cast<std::size_t>(contender.id));
+  std::size_t& last_hint = search.follow(static_cast<std::size_t>(contender.id));
   if (!exactly) {
     const float below = cost.cidBelow(limit);
     const DistanceBounds cid = search.bounds(segment, below, hint);
+    last_hint = hint;
     if (cid.low < below || cost.of(cid.low) >= limit)
       return {cost.of(cid.low), cost.of(cid.high)};
   }
