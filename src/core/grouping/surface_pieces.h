@@ -70,7 +70,11 @@ private:
                    Progress& progress);
 
   void
-  joinPatch(std::size_t number);
+  joinPatches(int threads, Progress& progress);
+
+  template <typename Visit>
+  void
+  forEachPair(std::size_t number, const Visit& visit) const;
 
   Vertex
   lowest(Vertex vertex);
