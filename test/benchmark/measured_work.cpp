@@ -343,19 +343,33 @@ hulls(const Work& work, const Cloud::ConstPtr& cloud)
 
 constexpr std::size_t corrections = 100;
 
+/** The value that a share of all values is below. */
 double
-medianOf(std::vector<double> values)
+quantileOf(std::vector<double> values, double share)
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto rank =
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
+
+double
+medianOf(const std::vector<double>& values)
+{
+  return quantileOf(values, 0.5);
 }
 
 /** A grouping as an annotator has it, and points at random to correct it with. */
 struct Corrected {
   Corrected(const Work& work, const Cloud::ConstPtr& cloud)
-  : grouping(prepareAsPaper(work, cloud), {work.samples, SeedingRule::farthest, true})
-  , execution{work.threads, {}}
+  : Corrected(work,
+              Grouping(prepareAsPaper(work, cloud),
+                       {work.samples, SeedingRule::farthest, true}))
+  {
+  }
+
+  Corrected(const Work& work, Grouping empty)
+  : grouping(std::move(empty)), execution{work.threads, {}}
   {
     grouping.propose(static_cast<std::size_t>(work.seeds), 0.0f, execution);
     const pcl::Indices& points = grouping.scan().points().source;
@@ -384,6 +398,32 @@ addOneSeed(const Work& work, const Cloud::ConstPtr& cloud)
   }
   Measurement result;
   result.seconds = medianOf(seconds);
+  return result;
+}
+
+/** One seed and the connected groups after it, with the default settings, of 100, each
+ *  on the same grouping.
+ *  \tparam percent of them that are as quick */
+template <int percent>
+Measurement
+click(const Work& work, const Cloud::ConstPtr& cloud)
+{
+  CIDSampler<pcl::PointXYZ> sampler;
+  sampler.setInputCloud(cloud);
+  configure(work, sampler);
+  Corrected corrected(work, Grouping(sampler.prepare(), {work.samples}));
+  Grouping& grouping = corrected.grouping;
+  grouping.groups(corrected.execution);
+  std::vector<double> seconds;
+  for (const pcl::index_t point : corrected.clicks) {
+    const Stopwatch watch;
+    grouping.addSeeds({point}, corrected.execution);
+    grouping.groups(corrected.execution);
+    seconds.push_back(watch.seconds());
+    grouping.removeSeeds({grouping.numberOfSeeds() - 1}, corrected.execution);
+  }
+  Measurement result;
+  result.seconds = quantileOf(seconds, percent / 100.0);
   return result;
 }
 
@@ -509,6 +549,8 @@ works()
       {"fit", hulls<MergingRule::hull>},
       {"add", addOneSeed},
       {"remove", removeOneSeed},
+      {"click", click<50>},
+      {"click_p95", click<95>},
       {"read_pcd", readFile<0, readHere>},
       {"read_ascii_pcd", readFile<1, readHere>},
       {"read_ply", readFile<2, readHere>},

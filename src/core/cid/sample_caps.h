@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/rounding.h"
+#include "sample_trail.h"
 #include "segment_samples.h"
 
 #include <algorithm>
@@ -49,6 +50,24 @@ public:
     caps_.setConstant(order_.fractions().size(),
                       std::numeric_limits<float>::infinity());
     caps_.tail(order_.fractions().size() - order_.samples()) = settled;
+  }
+
+  /** \brief Begin with the caps that a trail of surface points gives. */
+  void
+  reset(const SampleTrail& trail)
+  {
+    caps_.resize(order_.fractions().size());
+    for (Eigen::Index k = 0; k < caps_.size(); k += SampleOrder::packet) {
+      const auto t = Packet::MapAligned(order_.fractions().data() + k);
+      Packet squared = Packet::Zero();
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto point = Packet::MapAligned(trail.coordinates(axis) + k);
+        squared += (segment_.from[axis] + segment_.along[axis] * t - point).square();
+      }
+      Packet::MapAligned(caps_.data() + k) =
+          squared * rounding::widening + std::numeric_limits<float>::min();
+    }
+    caps_.tail(caps_.size() - order_.samples()) = settled;
   }
 
   /** \brief The cap of a sample: an upper bound of d^2, up to segment.slack. */
@@ -97,7 +116,6 @@ public:
     constexpr std::size_t packet = SampleOrder::packet;
     const std::size_t first = sample - std::min(sample, reach);
     const std::size_t last = std::min(sample + reach, order_.last());
-    using Packet = Eigen::Array<float, packet, 1>;
     for (std::size_t k = first / packet * packet; k <= last; k += packet) {
       const auto t = Packet::MapAligned(order_.fractions().data() + k);
       auto caps = Packet::MapAligned(caps_.data() + k);
@@ -106,6 +124,8 @@ public:
   }
 
 private:
+  using Packet = Eigen::Array<float, SampleOrder::packet, 1>;
+
   const SegmentSamples& segment_;
   const SampleOrder& order_;
   float squared_length_;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace pcl_cid {
@@ -37,6 +38,7 @@ public:
   , samples_(segment.p, segment.q, order_.samples())
   , samples_a_metre_(1.0f / samples_.spacing)
   , caps_(samples_, order_, memory.caps_)
+  , trail_(memory.trail_)
   , looks_(memory.looks_)
   {
   }
@@ -46,14 +48,15 @@ public:
   std::optional<float>
   findAtLeast(float limit, std::size_t& hint)
   {
-    const DistanceField::Nearest at_hint = evaluate(hint);
-    if (at_hint.distance >= limit)
-      return at_hint.distance;
+    const float low = lowerBound(hint);
+    if (low >= limit)
+      return low;
     start(limit);
-    settle(hint, at_hint);
     const float target = caps_.squareOf(limit);
-    for (const std::size_t end : {std::size_t{0}, order_.last()})
-      if (reaches(end, limit, target))
+    if (caps_[hint] >= target)
+      lookUp(hint);
+    for (const std::size_t l : {hint, std::size_t{0}, order_.last()})
+      if (reaches(l, limit, target))
         return reached_;
     const std::size_t before = hint - std::min<std::size_t>(hint, 1);
     for (const std::size_t beside : {before, std::min(hint + 1, order_.last())}) {
@@ -102,8 +105,27 @@ public:
     }
     if (how == UpperBound::exact)
       return largestOfLooks();
+    return mostOfLooks();
+  }
+
+  /** An upper bound of the CID, from the looks so far. */
+  float
+  mostOfLooks() const
+  {
     return std::sqrt(orDistance(caps_.largest())) * (1.0f + rounding::of_product) +
            samples_.slack;
+  }
+
+  /** Bounds that tell whether the CID reaches a limit. Where it does not, the sample
+   *  that may be the farthest one gives the lower bound. */
+  DistanceBounds
+  bounds(float limit, std::size_t& hint)
+  {
+    if (const std::optional<float> found = findAtLeast(limit, hint))
+      return {*found, infinity};
+    if (caps_.largest() > 0.0f)
+      hint = caps_.find(caps_.largest());
+    return {std::max(largest_, lowerBound(hint)), std::min(mostOfLooks(), limit)};
   }
 
   /** The largest distance: take a look where the bound is largest, and the exact
@@ -117,8 +139,8 @@ public:
     if (!started_) {
       start(infinity);
       lookUp(hint);
-      const float low = field_.grid().lowerBound(samples_.at(hint)) - samples_.slack;
-      const float target = caps_.squareOf(low); // smaller caps need no look
+      const float target =
+          caps_.squareOf(lowerBound(hint)); // smaller caps need no look
       for (std::size_t k = 0; k < std::min(first_levels, order_.levels().size()); ++k)
         lookUpAbove(order_.levels()[k], target);
     }
@@ -184,7 +206,10 @@ private:
   {
     started_ = true;
     aim_ = aim;
-    caps_.reset();
+    if (trail_)
+      caps_.reset(*trail_);
+    else
+      caps_.reset();
     for (const std::size_t end : {std::size_t{0}, order_.last()})
       if (segment_.between_surface_points)
         settle(end, {end == 0 ? segment_.p : segment_.q, 0.0f});
@@ -217,6 +242,12 @@ private:
     take(lookAt(l));
   }
 
+  float
+  lowerBound(std::size_t l) const
+  {
+    return field_.grid().lowerBound(samples_.at(l)) - samples_.slack;
+  }
+
   Look
   lookAt(std::size_t l) const
   {
@@ -228,6 +259,8 @@ private:
   void
   take(const Look& look)
   {
+    if (trail_)
+      trail_->set(look.sample, look.point);
     // Samples that are farther away are not within `aim_` of the point.
     const float reach = (aim_ + look.distance) * samples_a_metre_ + 1.0f;
     const std::size_t all = order_.last();
@@ -244,7 +277,7 @@ private:
   {
     if (caps_[l] < target)
       return false;
-    reached_ = field_.grid().lowerBound(samples_.at(l)) - samples_.slack;
+    reached_ = lowerBound(l);
     if (reached_ < limit)
       settle(l, evaluate(l));
     return reached_ >= limit;
@@ -280,6 +313,7 @@ private:
   SegmentSamples samples_;
   float samples_a_metre_; ///< infinity where all samples are the same
   SampleCaps caps_;
+  SampleTrail* trail_; ///< null: none is followed
   bool started_ = false;
   float aim_ = infinity;
   float largest_ = 0.0f; ///< of the exact distances so far
@@ -288,10 +322,27 @@ private:
   std::size_t found_ = 0; ///< of them
 };
 
-std::optional<float>
-SegmentSearch::findAtLeast(const Segment& segment, float limit, std::size_t& hint)
+std::size_t&
+SegmentSearch::follow(std::size_t origin)
 {
-  return SearchOfSegment(*this, segment).findAtLeast(limit, hint);
+  const auto known =
+      std::find_if(trails_.begin(), trails_.end(), [origin](const SampleTrail& trail) {
+        return trail.isFrom(origin);
+      });
+  if (known != trails_.end()) {
+    trail_ = &*known;
+    return trail_->hint();
+  }
+  last_ = (last_ + 1) % trails_.size();
+  trail_ = &trails_[last_];
+  trail_->begin(origin, order_, field_.blocks().position(0));
+  return trail_->hint();
+}
+
+DistanceBounds
+SegmentSearch::bounds(const Segment& segment, float limit, std::size_t& hint)
+{
+  return SearchOfSegment(*this, segment).bounds(limit, hint);
 }
 
 float

@@ -9,12 +9,13 @@
 
 #pragma once
 
+#include "sample_trail.h"
 #include "segment_samples.h"
 
 #include <pcl_cid/core/distance_field.h>
 
+#include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace pcl_cid {
@@ -47,10 +48,18 @@ public:
   {
   }
 
+  /** \brief Until the next call, segments are from one point to points next to each
+   *  other: what a search finds shortens the next one. It never changes a result.
+   *  \param[in] origin names that point
+   *  \return the hint that is left from the last time */
+  std::size_t&
+  follow(std::size_t origin);
+
   /** \brief Whether the CID reaches a limit, which is cheaper than computing the CID.
-   *  \return at least \a limit and at most the CID; nothing when the CID is less */
-  std::optional<float>
-  findAtLeast(const Segment& segment, float limit, std::size_t& hint);
+   *  \return bounds of the CID: the lower one is at least \a limit, or the upper one at
+   *  most that and the CID less */
+  DistanceBounds
+  bounds(const Segment& segment, float limit, std::size_t& hint);
 
   /** \brief An upper bound of the CID; \a limit when the CID is not below that. */
   float
@@ -73,6 +82,9 @@ private:
 
   const DistanceField& field_;
   const SampleOrder& order_;
+  std::array<SampleTrail, 4> trails_; ///< of the last origins
+  std::size_t last_ = 0;              ///< of them
+  SampleTrail* trail_ = nullptr;      ///< that is followed
   Eigen::ArrayXf caps_;
   std::vector<Look> looks_; ///< as many as the largest level so far; never cleared
 };

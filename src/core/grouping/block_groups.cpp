@@ -126,7 +126,7 @@ BlockGroups::addSeed(pcl::index_t point,
 }
 
 void
-BlockGroups::removeSeeds(const std::vector<std::size_t>& ranks, Work work)
+BlockGroups::removeSeeds(const std::vector<std::size_t>& ranks, bool exactly, Work work)
 {
   std::vector<bool> removed(seeds_.size(), false);
   for (const std::size_t rank : ranks)
@@ -152,7 +152,7 @@ BlockGroups::removeSeeds(const std::vector<std::size_t>& ranks, Work work)
   const auto adopt_range = [&](std::size_t begin, std::size_t end) {
     Scratch scratch(*this);
     for (std::size_t k = begin; k < end; ++k)
-      adopt(blocks[k], scratch);
+      adopt(blocks[k], exactly, scratch);
   };
   parallelFor(blocks.size(), few_blocks, work.threads, work.progress, {}, adopt_range);
   updateAllNodes();
@@ -178,7 +178,7 @@ BlockGroups::orphan(std::size_t b, const std::vector<bool>& removed)
 /** Compare the orphans of a block with all seeds, near ones first: they rule out most
  *  of the others. */
 void
-BlockGroups::adopt(std::size_t b, Scratch& scratch)
+BlockGroups::adopt(std::size_t b, bool exactly, Scratch& scratch)
 {
   const std::size_t node = tree().nodeOfBlock(b);
   upper_[node] = infinity;
@@ -189,7 +189,7 @@ BlockGroups::adopt(std::size_t b, Scratch& scratch)
   std::sort(order.begin(), order.end());
   for (const auto& [squared_distance, id] : order)
     compareBlock(node, {seed(id).point, id, false}, order_.last() / 2, scratch);
-  decideBlock(b, true, scratch);
+  decideBlock(b, exactly, scratch);
 }
 
 void

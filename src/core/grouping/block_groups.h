@@ -92,9 +92,10 @@ public:
 
   /** \brief Take seeds away: their points go to the seeds that remain.
    *  \param[in] ranks ascending; not all of the seeds
+   *  \param[in] exactly see decideAll()
    *  \pre decideAll() was the last call that changed anything */
   void
-  removeSeeds(const std::vector<std::size_t>& ranks, Work work);
+  removeSeeds(const std::vector<std::size_t>& ranks, bool exactly, Work work);
 
   /** A point, and the value that makes it the farthest. */
   struct Farthest {
@@ -266,7 +267,7 @@ private:
   orphan(std::size_t block, const std::vector<bool>& removed);
 
   void
-  adopt(std::size_t block, Scratch& scratch);
+  adopt(std::size_t block, bool exactly, Scratch& scratch);
 
   void
   decideBlock(std::size_t block, bool exactly, Scratch& scratch);
@@ -313,10 +314,10 @@ private:
   collectContenders(std::size_t block,
                     const Target& point,
                     const State& state,
-                    std::vector<Contender>& contenders) const;
+                    Scratch& scratch) const;
 
   std::optional<Contender>
-  nearestOfFew(const Target& point, bool exactly, Scratch& scratch) const;
+  nearestOfFew(const Target& point, bool exactly, float& high, Scratch& scratch) const;
 
   Contender
   nearestOfMany(const Target& point,
@@ -327,7 +328,7 @@ private:
   float
   boundAtHint(const Contender& contender, const Target& point) const;
 
-  float
+  DistanceBounds
   compare(Contender& contender,
           const Target& point,
           float limit,

@@ -10,8 +10,8 @@
 #include "connected_groups.h"
 
 #include "base/infinity.h"
-#include "base/joined_sets.h"
 #include "base/parallel_for.h"
+#include "surface_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,38 +24,26 @@
 namespace pcl_cid {
 namespace {
 
-/** The piece of each point, points of one group that edges join, by its lowest point.
- */
-std::vector<std::uint32_t>
-piecesOf(const SurfaceGraph& graph, const std::vector<pcl::index_t>& groups)
-{
-  return joinedSets(graph.size(), [&](const auto& join) {
-    for (std::size_t p = 0; p < graph.size(); ++p)
-      graph.forEachEdge(p, [&](std::size_t q) {
-        if (groups[p] == groups[q])
-          join(p, q);
-      });
-  });
-}
+using Vertex = SurfaceGraph::Vertex;
+
+/** Islands that a thread takes at a time. */
+constexpr std::size_t few_islands = 16;
 
 /** Where an island meets another piece. */
 struct Border {
-  std::uint32_t island;
-  std::uint32_t other;
-  std::uint32_t point; ///< of the island
+  Vertex other;  ///< the piece
+  Vertex vertex; ///< of the island
 
   bool
   operator<(const Border& right) const
   {
-    return std::tie(island, other, point) <
-           std::tie(right.island, right.other, right.point);
+    return std::tie(other, vertex) < std::tie(right.other, right.vertex);
   }
 
   bool
   operator==(const Border& right) const
   {
-    return std::tie(island, other, point) ==
-           std::tie(right.island, right.other, right.point);
+    return other == right.other && vertex == right.vertex;
   }
 };
 
@@ -71,12 +59,24 @@ struct Offer {
   }
 };
 
-/** An island, its borders, and the best offer so far. */
+/** A piece without a seed, its borders, and the best offer so far. */
 struct Island {
-  std::size_t begin; ///< of its borders
-  std::size_t end;
-  Offer best;
+  std::vector<Vertex> vertices;
+  std::vector<Border> borders; ///< ascending
+  Offer best{};
   bool joined = false;
+
+  /** The borders with one piece. */
+  template <typename Visit>
+  void
+  forEachBorderWith(Vertex other, const Visit& visit) const
+  {
+    for (auto border =
+             std::lower_bound(borders.begin(), borders.end(), Border{other, 0});
+         border != borders.end() && border->other == other;
+         ++border)
+      visit(*border);
+  }
 };
 
 class Connection {
@@ -84,85 +84,90 @@ public:
   Connection(const SurfaceGraph& graph,
              KnownCosts& costs,
              const pcl::Indices& seeds,
-             std::vector<pcl::index_t>& groups)
-  : costs_(costs)
+             std::vector<pcl::index_t>& groups,
+             int threads,
+             Progress& progress)
+  : graph_(graph)
+  , costs_(costs)
   , seeds_(seeds)
   , groups_(groups)
-  , pieces_(piecesOf(graph, groups))
-  , is_mainland_(graph.size(), false)
+  , pieces_(graph, groups, threads, progress)
+  , island_of_(graph.size(), unknown)
   {
     for (const pcl::index_t seed : seeds)
-      is_mainland_[pieces_[static_cast<std::size_t>(seed)]] = true;
-    findBorders(graph);
+      island_of_[pieces_.ofPoint(static_cast<std::size_t>(seed))] = mainland;
     findIslands();
   }
 
   void
   run(int threads, Progress& progress)
   {
-    parallelForEach(islands_.size(), threads, progress, {1.0, 1.0}, [&](std::size_t i) {
+    const auto offer_mainland = [&](std::size_t begin, std::size_t end) {
       SegmentSearch search = costs_.search();
-      for (std::size_t k = islands_[i].begin; k < islands_[i].end; ++k)
-        if (is_mainland_[borders_[k].other])
-          offer(islands_[i], k, groups_[borders_[k].other], search);
-    });
+      for (std::size_t i = begin; i < end; ++i) {
+        findBorders(islands_[i]);
+        for (const Border& border : islands_[i].borders)
+          if (island_of_[border.other] == mainland)
+            offer(islands_[i], border, groupOf(border.other), search);
+      }
+    };
+    parallelFor(
+        islands_.size(), few_islands, threads, progress, {1.0, 1.0}, offer_mainland);
     joinCheapestFirst();
-    for (std::size_t p = 0; p < groups_.size(); ++p)
-      groups_[p] = groups_[pieces_[p]];
   }
 
 private:
-  void
-  findBorders(const SurfaceGraph& graph)
+  static constexpr std::uint32_t unknown = UINT32_MAX;
+  static constexpr std::uint32_t mainland = UINT32_MAX - 1;
+
+  pcl::index_t
+  groupOf(Vertex vertex) const
   {
-    const auto add = [&](std::size_t p, std::size_t q) {
-      if (!is_mainland_[pieces_[p]])
-        borders_.push_back({pieces_[p], pieces_[q], static_cast<std::uint32_t>(p)});
-    };
-    for (std::size_t p = 0; p < graph.size(); ++p)
-      graph.forEachEdge(p, [&](std::size_t q) {
-        if (pieces_[p] == pieces_[q])
-          return;
-        add(p, q);
-        add(q, p);
-      });
-    std::sort(borders_.begin(), borders_.end());
-    borders_.erase(std::unique(borders_.begin(), borders_.end()), borders_.end());
+    return groups_[graph_.pointOf(vertex)];
   }
 
   void
   findIslands()
   {
-    for (std::size_t k = 0; k < borders_.size(); ++k)
-      if (k > 0 && borders_[k].island == borders_[k - 1].island)
-        islands_.back().end = k + 1;
-      else
-        islands_.push_back({k, k + 1, {}});
+    pieces_.forEachRun([&](SurfaceGraph::Patch run) {
+      std::uint32_t& island = island_of_[pieces_.of(run.begin)];
+      if (island == mainland)
+        return;
+      if (island == unknown) {
+        island = static_cast<std::uint32_t>(islands_.size());
+        islands_.emplace_back();
+      }
+      for (Vertex v = run.begin; v < run.end; ++v)
+        islands_[island].vertices.push_back(v);
+    });
   }
 
-  Island&
-  islandOf(std::uint32_t piece)
+  void
+  findBorders(Island& island) const
   {
-    return *std::lower_bound(islands_.begin(),
-                             islands_.end(),
-                             piece,
-                             [&](const Island& island, std::uint32_t value) {
-                               return borders_[island.begin].island < value;
-                             });
+    const Vertex piece = pieces_.of(island.vertices.front());
+    std::vector<Border>& borders = island.borders;
+    for (const Vertex v : island.vertices)
+      graph_.forEachEdge(v, [&](Vertex q) {
+        if (pieces_.of(q) != piece)
+          borders.push_back({pieces_.of(q), v});
+      });
+    std::sort(borders.begin(), borders.end());
+    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
   }
 
   /** The cost of a point at a border and the seed of a group, if it is the best so far.
    *  \return whether it is */
   bool
   offer(Island& island,
-        std::size_t border,
+        const Border& border,
         pcl::index_t group,
         SegmentSearch& search) const
   {
-    const auto point = static_cast<std::size_t>(borders_[border].point);
     const auto seed = static_cast<std::size_t>(seeds_[static_cast<std::size_t>(group)]);
     // The next float up, as an equal cost may win, too.
     const float limit = std::nextafter(island.best.cost, infinity);
+    const std::size_t point = graph_.pointOf(border.vertex);
     const Offer offered{costs_.cost(seed, point, limit, search), group};
     if (!(offered < island.best))
       return false;
@@ -173,7 +178,7 @@ private:
   void
   joinCheapestFirst()
   {
-    using Entry = std::pair<Offer, std::uint32_t>; // of an island, a number
+    using Entry = std::pair<Offer, std::uint32_t>; // of an island, its number
     const auto later = [](const Entry& a, const Entry& b) { return b < a; };
     std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
     for (std::size_t i = 0; i < islands_.size(); ++i)
@@ -185,40 +190,39 @@ private:
       queue.pop();
       if (std::exchange(island.joined, true))
         continue;
-      const std::uint32_t piece = borders_[island.begin].island;
-      groups_[piece] = island.best.group;
-      for (std::size_t k = island.begin; k < island.end; ++k) {
-        const std::uint32_t other = borders_[k].other;
-        if (is_mainland_[other] || (k > island.begin && other == borders_[k - 1].other))
+      for (const Vertex v : island.vertices)
+        groups_[graph_.pointOf(v)] = island.best.group;
+      for (std::size_t k = 0; k < island.borders.size(); ++k) {
+        const Vertex other = island.borders[k].other;
+        const std::uint32_t number = island_of_[other];
+        if (number == mainland || (k > 0 && other == island.borders[k - 1].other))
           continue;
-        Island& next = islandOf(other);
-        if (!next.joined && offerAll(next, piece, island.best.group, search))
-          queue.push({next.best, static_cast<std::uint32_t>(&next - islands_.data())});
+        Island& next = islands_[number];
+        if (!next.joined && offerAll(next, island, search))
+          queue.push({next.best, number});
       }
     }
   }
 
-  /** Offer a group at each border with one of its pieces. */
+  /** Offer the group of another island at each border with that. */
   bool
-  offerAll(Island& island,
-           std::uint32_t piece,
-           pcl::index_t group,
-           SegmentSearch& search) const
+  offerAll(Island& island, const Island& joined, SegmentSearch& search) const
   {
     bool is_better = false;
-    for (std::size_t k = island.begin; k < island.end; ++k)
-      if (borders_[k].other == piece)
-        is_better = offer(island, k, group, search) || is_better;
+    const Vertex piece = pieces_.of(joined.vertices.front());
+    island.forEachBorderWith(piece, [&](const Border& border) {
+      is_better = offer(island, border, joined.best.group, search) || is_better;
+    });
     return is_better;
   }
 
+  const SurfaceGraph& graph_;
   KnownCosts& costs_;
   const pcl::Indices& seeds_;
   std::vector<pcl::index_t>& groups_;
-  const std::vector<std::uint32_t> pieces_;
-  std::vector<bool> is_mainland_; ///< by piece: it has the seed
-  std::vector<Border> borders_;   ///< of all islands, in their order
-  std::vector<Island> islands_;   ///< in the order of their pieces
+  const SurfacePieces pieces_;
+  std::vector<std::uint32_t> island_of_; ///< by piece: its number
+  std::vector<Island> islands_;
 };
 
 } // namespace
@@ -231,7 +235,7 @@ connectGroups(const SurfaceGraph& graph,
               int threads,
               Progress& progress)
 {
-  Connection(graph, costs, seeds, groups).run(threads, progress);
+  Connection(graph, costs, seeds, groups, threads, progress).run(threads, progress);
   return groups;
 }
 

@@ -83,6 +83,7 @@ BlockGroups::fallsShort(std::size_t b, int row, float floor, Scratch& scratch)
     const PairCost cost = costOf(each.id, point);
     const float below = cost.cidBelow(floor);
     std::size_t& hint = rivals[static_cast<std::size_t>(each.rival)].hint;
+    scratch.search.follow(static_cast<std::size_t>(each.id));
     const float cid =
         scratch.search.upperBound(segmentTo(each.id, point), below, how, hint);
     if (cid < below) {

@@ -256,7 +256,7 @@ Grouping::removeSeeds(std::vector<std::size_t> numbers,
     return;
   }
   Verb verb(*this, execution);
-  verb.groups().removeSeeds(numbers, verb.work());
+  verb.groups().removeSeeds(numbers, settings_.keep_cid, verb.work());
   verb.forgetCoverages(numbers.front());
   verb.commit();
 }

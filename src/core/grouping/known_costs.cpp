@@ -26,7 +26,7 @@ KnownCosts::cost(std::size_t p, std::size_t q, float limit, SegmentSearch& searc
   if (!found.tells(limit)) {
     const Segment segment{
         points_.points()[p], points_.points()[q], points_.areOnSurface()};
-    std::size_t hint = order_.last() / 2;
+    std::size_t& hint = search.follow(p);
     found.low = searchCost(search, segment, points_.costs().between(p, q), limit, hint);
     found.is_exact = found.low < limit;
     keep(pair, found);

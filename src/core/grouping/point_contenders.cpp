@@ -55,9 +55,10 @@ BlockGroups::decide(std::size_t b, int row, bool exactly, Scratch& scratch)
     return;
   const Target point = target(b, row);
   state.high = atMost(b, state);
-  collectContenders(b, point, state, scratch.contenders);
+  collectContenders(b, point, state, scratch);
   // "D_min[p] <- min over q of D[p, q]"
-  const std::optional<Contender> found = nearestOfFew(point, exactly, scratch);
+  const std::optional<Contender> found =
+      nearestOfFew(point, exactly, state.high, scratch);
   const Contender nearest =
       found ? *found : nearestOfMany(point, likely_[b], state.high, scratch);
   keepHints(b, scratch.contenders);
@@ -74,11 +75,14 @@ void
 BlockGroups::collectContenders(std::size_t b,
                                const Target& point,
                                const State& state,
-                               std::vector<Contender>& contenders) const
+                               Scratch& scratch) const
 {
+  std::vector<Contender>& contenders = scratch.contenders;
   contenders.clear();
   if (state.group >= 0 && state.low <= state.high) {
-    contenders.push_back(contender(state.group, state.low, order_.last() / 2));
+    const std::size_t hint =
+        scratch.search.follow(static_cast<std::size_t>(state.group));
+    contenders.push_back(contender(state.group, state.low, hint));
     contenders.back().is_exact = state.isExact();
   }
   const std::vector<Rival>& rivals = rivals_[b];
@@ -103,9 +107,13 @@ BlockGroups::keepHints(std::size_t b, const std::vector<Contender>& contenders)
 
 /** Whoever has the smallest lower bound is compared with the second smallest, which
  *  shows that its cost is the smallest of all, or raises its bound.
+ *  \param[in,out] high at least the winner's cost
  *  \return nothing when that takes many rounds; the more seeds, the fewer are tried */
 std::optional<Contender>
-BlockGroups::nearestOfFew(const Target& point, bool exactly, Scratch& scratch) const
+BlockGroups::nearestOfFew(const Target& point,
+                          bool exactly,
+                          float& high,
+                          Scratch& scratch) const
 {
   std::vector<Contender>& open = scratch.contenders;
   for (std::size_t round = open.size(); round <= few; ++round) {
@@ -114,13 +122,14 @@ BlockGroups::nearestOfFew(const Target& point, bool exactly, Scratch& scratch) c
     if (first.is_exact)
       return first;
     const auto second = std::min_element(open.begin() + 1, open.end());
-    const bool alone = second == open.end();
+    const bool alone = second == open.end() || second->low > high;
     if (alone && !exactly)
       return first;
     const float limit = alone ? infinity : first.limitAgainst(*second);
-    const float cost = compare(first, point, limit, exactly, scratch.search);
-    first.low = std::max(first.low, cost);
-    if (cost < limit) {
+    const DistanceBounds cost = compare(first, point, limit, exactly, scratch.search);
+    first.low = std::max(first.low, cost.low);
+    high = std::min(high, cost.high);
+    if (cost.low < limit) {
       first.is_exact = exactly;
       return first;
     }
@@ -148,7 +157,7 @@ BlockGroups::nearestOfMany(const Target& point,
       continue;
     const float limit = each.limitAgainst(best);
     if (!each.is_exact)
-      each.low = compare(each, point, limit, true, scratch.search);
+      each.low = compare(each, point, limit, true, scratch.search).low;
     if (each.low < limit) {
       best = each;
       best.is_exact = true;
@@ -168,9 +177,10 @@ BlockGroups::boundAtHint(const Contender& contender, const Target& point) const
   return costOf(contender.id, point).of(std::max(low, 0.0f));
 }
 
-/** The cost to a contender, or a lower bound of it that is at least \a limit; without
- *  \a exactly, anything below the limit for a cost below it. */
-float
+/** Bounds of the cost to a contender: the cost if it is below the limit, else the lower
+ *  one is at least that. Without \a exactly, a cost below the limit may be left between
+ *  two bounds, the lower one below the limit. */
+DistanceBounds
 BlockGroups::compare(Contender& contender,
                      const Target& point,
                      float limit,
@@ -180,13 +190,16 @@ BlockGroups::compare(Contender& contender,
   const Segment segment = segmentTo(contender.id, point);
   const PairCost cost = costOf(contender.id, point);
   std::size_t& hint = contender.hint;
+  std::size_t& last_hint = search.follow(static_cast<std::size_t>(contender.id));
   if (!exactly) {
     const float below = cost.cidBelow(limit);
-    const float cid = search.findAtLeast(segment, below, hint).value_or(0.0f);
-    if (cid < below || cost.of(cid) >= limit)
-      return cost.of(cid);
+    const DistanceBounds cid = search.bounds(segment, below, hint);
+    last_hint = hint;
+    if (cid.low < below || cost.of(cid.low) >= limit)
+      return {cost.of(cid.low), cost.of(cid.high)};
   }
-  return searchCost(search, segment, cost, limit, hint);
+  const float found = searchCost(search, segment, cost, limit, hint);
+  return {found, found < limit ? found : infinity};
 }
 
 } // namespace pcl_cid

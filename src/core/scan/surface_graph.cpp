@@ -10,6 +10,8 @@
 #include "surface_graph.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace pcl_cid {
 namespace {
@@ -18,26 +20,149 @@ namespace {
  *  surface: edges of three spacings. */
 constexpr float longest_edge = 2.0f;
 
+/** Points of a patch at most: more are seldom of one group, fewer spare less. */
+constexpr std::uint32_t most_of_patch = 32;
+
 } // namespace
 
 SurfaceGraph::SurfaceGraph(const Points& points, const NearestNeighbors& neighbors)
 {
+  order(neighbors);
+  const Listed listed = listEdges(points, neighbors);
+  makeMutual(listed, cutIntoPatches(listed));
+  linkPatches();
+}
+
+/** Points that are near each other in a row, those at one place together. */
+void
+SurfaceGraph::order(const NearestNeighbors& neighbors)
+{
+  const std::size_t all = neighbors.size();
+  std::vector<std::size_t> turn(all, 0); // of the place that a point is the first of
+  for (std::size_t k = 0; k < neighbors.places().size(); ++k)
+    turn[static_cast<std::size_t>(neighbors.places()[k])] = k;
+  const auto turnOf = [&](std::size_t point) {
+    return turn[static_cast<std::size_t>(neighbors.firstAt(point))];
+  };
+  std::vector<std::size_t> next(all + 1, 0); // vertex of each turn
+  for (std::size_t i = 0; i < all; ++i)
+    ++next[turnOf(i) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  points_.resize(all);
+  vertices_.resize(all);
+  for (std::size_t i = 0; i < all; ++i) {
+    vertices_[i] = static_cast<Vertex>(next[turnOf(i)]++);
+    points_[vertices_[i]] = static_cast<pcl::index_t>(i);
+  }
+}
+
+SurfaceGraph::Listed
+SurfaceGraph::listEdges(const Points& points, const NearestNeighbors& neighbors) const
+{
   const std::size_t edges = std::min(most_edges, neighbors.count());
-  begin_.reserve(points.size() + 1);
-  ends_.reserve(points.size() * edges);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    begin_.push_back(ends_.size());
+  Listed listed;
+  listed.begin.reserve(size() + 1);
+  listed.ends.reserve(size() * edges);
+  const auto add = [&](pcl::index_t q) {
+    listed.ends.push_back(vertexOf(static_cast<std::size_t>(q)));
+  };
+  for (Vertex v = 0; v < size(); ++v) {
+    listed.begin.push_back(listed.ends.size());
+    const std::size_t i = pointOf(v);
     if (neighbors.firstAt(i) != static_cast<pcl::index_t>(i))
-      ends_.push_back(neighbors.firstAt(i));
+      add(neighbors.firstAt(i));
     const float longest = longest_edge * neighbors.reach(i);
     for (std::size_t k = 0; k < edges; ++k) {
       const pcl::index_t q = neighbors.neighbor(i, k);
       if ((points[i] - points[static_cast<std::size_t>(q)]).norm() > longest)
         break; // they are in the order of their distances
-      ends_.push_back(q);
+      add(q);
     }
   }
-  begin_.push_back(ends_.size());
+  listed.begin.push_back(listed.ends.size());
+  return listed;
+}
+
+/** A patch is what hangs together of a few vertices in a row; they change places so
+ *  that it is a run.
+ *  \return the new place of each vertex */
+std::vector<SurfaceGraph::Vertex>
+SurfaceGraph::cutIntoPatches(const Listed& listed)
+{
+  std::vector<Vertex> place(size());
+  for (Vertex begin = 0; begin < size(); begin += most_of_patch) {
+    const Vertex count = std::min(most_of_patch, static_cast<Vertex>(size()) - begin);
+    std::array<Vertex, most_of_patch> lowest; // of the patch of each of the vertices
+    std::iota(lowest.begin(), lowest.end(), Vertex{0});
+    for (Vertex k = 0; k < count; ++k)
+      listed.forEach(begin + k, [&](Vertex q) {
+        if (q < begin || q >= begin + count)
+          return;
+        const Vertex low = std::min(lowest[k], lowest[q - begin]);
+        const Vertex high = std::max(lowest[k], lowest[q - begin]);
+        if (low != high)
+          std::replace(lowest.begin(), lowest.begin() + count, high, low);
+      });
+    Vertex next = begin;
+    for (Vertex first = 0; first < count; ++first) {
+      if (lowest[first] != first)
+        continue;
+      patch_begin_.push_back(next);
+      for (Vertex k = first; k < count; ++k)
+        if (lowest[k] == first)
+          place[begin + k] = next++;
+    }
+  }
+  patch_begin_.push_back(static_cast<Vertex>(size()));
+  return place;
+}
+
+/** Vertices take their new places, and each edge is listed by both of its ends, once.
+ */
+void
+SurfaceGraph::makeMutual(const Listed& listed, const std::vector<Vertex>& place)
+{
+  for (Vertex& vertex : vertices_)
+    vertex = place[vertex];
+  for (std::size_t i = 0; i < size(); ++i)
+    points_[vertexOf(i)] = static_cast<pcl::index_t>(i);
+  const auto forEachEnd = [&](const auto& visit) {
+    for (Vertex v = 0; v < size(); ++v)
+      listed.forEach(v, [&](Vertex q) {
+        visit(place[v], place[q]);
+        if (!listed.has(q, v))
+          visit(place[q], place[v]);
+      });
+  };
+  begin_.assign(size() + 1, 0);
+  forEachEnd([&](Vertex v, Vertex) { ++begin_[v + 1]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  ends_.resize(begin_.back());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  forEachEnd([&](Vertex v, Vertex end) { ends_[next[v]++] = end; });
+}
+
+void
+SurfaceGraph::linkPatches()
+{
+  std::vector<std::uint32_t> patch_of(size());
+  for (std::size_t number = 0; number < patches(); ++number)
+    std::fill(patch_of.begin() + patch(number).begin,
+              patch_of.begin() + patch(number).end,
+              static_cast<std::uint32_t>(number));
+  links_begin_.push_back(0);
+  for (std::size_t number = 0; number < patches(); ++number) {
+    const auto first = static_cast<std::ptrdiff_t>(links_.size());
+    for (Vertex v = patch(number).begin; v < patch(number).end; ++v)
+      forEachEdge(v, [&](Vertex q) {
+        if (patch_of[q] > number)
+          links_.push_back(patch_of[q]);
+      });
+    std::sort(links_.begin() + first, links_.end());
+    links_.erase(std::unique(links_.begin() + first, links_.end()), links_.end());
+    links_begin_.push_back(links_.size());
+  }
+  links_.shrink_to_fit();
 }
 
 } // namespace pcl_cid

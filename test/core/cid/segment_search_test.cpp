@@ -46,12 +46,15 @@ expectEquation2(const DistanceField& field,
   for (const float limit :
        {0.0f, 0.5f * cid, cid, std::nextafter(cid, 9e9f), 2.0f * cid, 1e9f})
     for (std::size_t first = 0; first <= order.last(); first += stride) {
+      if (first > 0) // several times, also where it was the trail of other segments
+        search.follow(first % 6);
       std::size_t hint = first;
-      const auto found = search.findAtLeast(segment, limit, hint);
-      EXPECT_EQ(found.has_value(), cid >= limit);
-      if (found) {
-        EXPECT_GE(*found, limit);
-        EXPECT_LE(*found, cid);
+      const DistanceBounds found = search.bounds(segment, limit, hint);
+      EXPECT_LE(found.low, cid);
+      EXPECT_GE(found.high, cid);
+      EXPECT_EQ(found.low >= limit, cid >= limit);
+      if (cid < limit) {
+        EXPECT_LE(found.high, limit);
       }
       EXPECT_LE(hint, order.last());
       hint = first;

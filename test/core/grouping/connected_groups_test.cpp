@@ -34,15 +34,14 @@ preparedWithGraph(const Points& points, bool connected = true, bool with_cues = 
   return prepared(points, settings);
 }
 
-/** The points that a point is joined with, in both directions. */
+/** The points that a point is joined with. */
 std::vector<std::set<std::size_t>>
 edgesOf(const SurfaceGraph& graph)
 {
   std::vector<std::set<std::size_t>> edges(graph.size());
   for (std::size_t p = 0; p < graph.size(); ++p)
-    graph.forEachEdge(p, [&](std::size_t q) {
-      edges[p].insert(q);
-      edges[q].insert(p);
+    graph.forEachEdge(graph.vertexOf(p), [&](SurfaceGraph::Vertex q) {
+      edges[p].insert(graph.pointOf(q));
     });
   return edges;
 }
