@@ -29,3 +29,5 @@ run build/release/bin/pcl_cid_abstract data/room.pcd build/demo/room_hulls.obj \
 step "Results"
 ls -l build/demo
 echo "Open the .pcd files with pcl_viewer (package pcl-tools), room_hulls.obj with a mesh viewer."
+echo "Label the scan by hand, in the browser:"
+echo "  build/release/bin/pcl_cid_studio data/room.pcd --session build/demo/room.session --classes s3dis"
