@@ -188,6 +188,9 @@ private:
                bool has_new_groups,
                unsigned int threads);
 
+  std::vector<std::uint32_t>
+  labelsOfSeeds() const;
+
   Grouping grouping_;
   std::shared_ptr<const Tables> tables_; ///< never null; shared with steps
   std::vector<bool> is_selected_;        ///< by point of the cloud, as all below

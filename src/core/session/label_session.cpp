@@ -9,7 +9,7 @@
 
 #include "session_plan.h"
 
-#include "base/progress.h"
+#include "base/parallel_for.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,11 +18,16 @@
 namespace pcl_cid {
 namespace {
 
-/** What a point of a group has where nothing was painted. */
-std::uint32_t
-labelOf(const std::optional<std::uint32_t>& label_of_seed)
+/** Points that a thread takes at a time. */
+constexpr std::size_t labelled_at_a_time = std::size_t{1} << 16;
+
+/** Values of seeds by the number of a group + 1, so that there is one for no group. */
+template <typename Value>
+std::vector<Value>
+byGroup(std::vector<Value> of_seeds, Value of_none)
 {
-  return label_of_seed.value_or(0);
+  of_seeds.insert(of_seeds.begin(), of_none);
+  return of_seeds;
 }
 
 } // namespace
@@ -200,30 +205,42 @@ LabelSession::updateLabels(const pcl::Indices& old_seeds,
                            bool has_new_groups,
                            unsigned int threads)
 {
-  std::vector<pcl::index_t> groups;
-  if (has_new_groups)
-    groups = grouping_.groups({threads, {}});
-  const std::vector<pcl::index_t>& new_groups = has_new_groups ? groups : groups_;
-  const pcl::Indices new_seeds = grouping_.seeds();
-  const auto seedOf = [](const pcl::Indices& seeds, pcl::index_t group) {
-    return group < 0 ? -1 : seeds[static_cast<std::size_t>(group)];
+  std::vector<pcl::index_t> groups =
+      has_new_groups ? grouping_.groups({threads, {}}) : groups_;
+  const auto label_of = byGroup(labelsOfSeeds(), 0u);
+  const auto old_seed_of = byGroup(old_seeds, -1);
+  const auto new_seed_of = byGroup(grouping_.seeds(), -1);
+  std::vector<pcl::Indices> changed(labels_.size() / labelled_at_a_time +
+                                    1); // by range
+  const auto update = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto group = static_cast<std::size_t>(groups[i] + 1);
+      const auto old_group = static_cast<std::size_t>(groups_[i] + 1);
+      const std::uint32_t label =
+          painted_[i] == not_painted ? label_of[group] : painted_[i];
+      if (label != labels_[i] || new_seed_of[group] != old_seed_of[old_group])
+        changed[begin / labelled_at_a_time].push_back(static_cast<pcl::index_t>(i));
+      labels_[i] = label;
+    }
   };
-  pcl::Indices changed;
-  for (std::size_t i = 0; i < labels_.size(); ++i) {
-    const pcl::index_t group = new_groups[i];
-    std::uint32_t label = painted_[i];
-    if (label == not_painted)
-      label = group < 0
-                  ? 0
-                  : labelOf(tables_->label_of_seed[static_cast<std::size_t>(group)]);
-    if (label != labels_[i] ||
-        seedOf(new_seeds, group) != seedOf(old_seeds, groups_[i]))
-      changed.push_back(static_cast<pcl::index_t>(i));
-    labels_[i] = label;
-  }
-  if (has_new_groups)
-    groups_ = std::move(groups);
-  return changed;
+  Progress silent({});
+  parallelFor(
+      labels_.size(), labelled_at_a_time, threadCount(threads), silent, {}, update);
+  groups_ = std::move(groups);
+  pcl::Indices all;
+  for (const pcl::Indices& range : changed)
+    all.insert(all.end(), range.begin(), range.end());
+  return all;
+}
+
+/** 0 for questions. */
+std::vector<std::uint32_t>
+LabelSession::labelsOfSeeds() const
+{
+  std::vector<std::uint32_t> labels;
+  for (const std::optional<std::uint32_t>& label : tables_->label_of_seed)
+    labels.push_back(label.value_or(0));
+  return labels;
 }
 
 std::vector<std::uint32_t>
@@ -232,11 +249,8 @@ LabelSession::cleanedLabels(const CleaningSettings& settings,
 {
   if (grouping_.numberOfSeeds() == 0)
     return labels_;
-  std::vector<std::uint32_t> label_of_seed;
-  for (const std::optional<std::uint32_t>& label : tables_->label_of_seed)
-    label_of_seed.push_back(labelOf(label));
   std::vector<std::uint32_t> labels =
-      cleanBoundaries(grouping_, label_of_seed, settings, execution);
+      cleanBoundaries(grouping_, labelsOfSeeds(), settings, execution);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (painted_[i] != not_painted)
       labels[i] = painted_[i];
