@@ -27,6 +27,8 @@ interface Pending {
 interface Events {
   connected: void;
   disconnected: { lostChange: boolean };
+  /** The program was started again, with another address: this page cannot come back. */
+  replaced: void;
   session: Message;
   progress: number | null;
 }
@@ -114,7 +116,19 @@ export class Connection extends Emitter<Events> {
     for (const one of pending) {
       one.reject(new Disconnected('The connection broke before the server answered.'));
     }
-    window.setTimeout(() => this.open(), this.wait);
+    this.comeBackLater();
+  }
+
+  private comeBackLater(): void {
+    window.setTimeout(() => void this.comeBack(), this.wait);
     this.wait = Math.min(this.wait * 1.7, LONGEST_WAIT);
+  }
+
+  /** A socket that is refused does not tell why, so the server is asked first. */
+  private async comeBack(): Promise<void> {
+    const answer = await fetch('/api/scan', { method: 'HEAD' }).catch(() => null);
+    if (answer?.ok) this.open();
+    else if (answer?.status === 401) this.emit('replaced', undefined);
+    else this.comeBackLater();
   }
 }

@@ -102,6 +102,7 @@ async function open(root: HTMLElement): Promise<void> {
   });
   connection.on('session', (message) => session.apply(message));
   connection.on('connected', () => messages.banner('away', null));
+  connection.on('replaced', () => messages.banner('away', 'pcl_cid_studio was started again: open the address that it printed'));
   connection.on('disconnected', () => {
     messages.banner('away', 'The server is not there; trying again');
     asking.close();

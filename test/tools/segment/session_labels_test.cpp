@@ -21,7 +21,7 @@
 namespace pcl_cid::test {
 namespace {
 
-class SessionLabels : public ToolTest {
+class SessionLabels : public SegmentTool {
 protected:
   /** A session with settings of its own, on the desk scan. */
   void
