@@ -36,13 +36,10 @@ keyAt(const LabelSession& session, const Numbers& keys, pcl::index_t point)
 }
 
 Json
-seedsOf(const LabelSession& session, const Places& places)
+seedsOf(const std::vector<SessionSeed>& seeds,
+        const std::vector<std::size_t>& size,
+        const Places& places)
 {
-  const std::vector<SessionSeed> seeds = session.seeds();
-  std::vector<std::size_t> size(seeds.size(), 0);
-  for (const pcl::index_t group : session.groups())
-    if (group >= 0)
-      ++size[static_cast<std::size_t>(group)];
   Json list = Json::array();
   for (std::size_t k = 0; k < seeds.size(); ++k) {
     const std::uint32_t place = places.placeOf(seeds[k].point);
@@ -54,39 +51,52 @@ seedsOf(const LabelSession& session, const Places& places)
   return list;
 }
 
-/** Neighbors in a scan mostly have the same label. */
-std::map<std::uint32_t, std::size_t>
-pointsByLabel(const Numbers& labels)
-{
-  std::map<std::uint32_t, std::size_t> size;
-  for (std::size_t begin = 0; begin < labels.size();) {
-    std::size_t end = begin + 1;
-    while (end < labels.size() && labels[end] == labels[begin])
-      ++end;
-    size[labels[begin]] += end - begin;
-    begin = end;
+/** How many points there are of each group and label. */
+struct Counts {
+  std::vector<std::size_t> of_seed;
+  std::map<std::uint32_t, std::size_t> of_label;
+
+  Counts(const LabelSession& session, const std::vector<SessionSeed>& seeds)
+  : of_seed(seeds.size(), 0)
+  {
+    std::vector<std::size_t> painted(seeds.size(), 0); // points of each group
+    for (std::size_t i = 0; i < session.groups().size(); ++i) {
+      const pcl::index_t group = session.groups()[i];
+      if (group >= 0)
+        ++of_seed[static_cast<std::size_t>(group)];
+      if (!session.isPainted(static_cast<pcl::index_t>(i)))
+        continue;
+      ++of_label[session.labels()[i]];
+      if (group >= 0)
+        ++painted[static_cast<std::size_t>(group)];
+    }
+    for (std::size_t k = 0; k < seeds.size(); ++k)
+      of_label[seeds[k].label.value_or(0)] += of_seed[k] - painted[k];
   }
-  return size;
-}
+};
 
 } // namespace
 
 Json
 summaryOf(const LabelSession& session, const Places& places)
 {
-  std::map<std::uint32_t, std::size_t> size = pointsByLabel(session.labels());
-  size[0] -= session.labels().size() - places.size(); // those without a place
+  const std::vector<SessionSeed> seeds = session.seeds();
+  Counts counts(session, seeds);
+  std::size_t unlabeled = places.size();
   Json instances = Json::array();
-  for (const NamedInstance& instance : session.instances())
+  for (const NamedInstance& instance : session.instances()) {
+    const std::size_t size = counts.of_label[instance.label];
+    unlabeled -= size;
     instances.push_back({{"label", instance.label},
                          {"class", instance.class_name},
                          {"name", instance.name},
-                         {"size", size[instance.label]}});
-  return {{"seeds", seedsOf(session, places)},
+                         {"size", size}});
+  }
+  return {{"seeds", seedsOf(seeds, counts.of_seed, places)},
           {"instances", std::move(instances)},
           {"undo", session.undoable()},
           {"redo", session.redoable()},
-          {"unlabeled", size[0]}};
+          {"unlabeled", unlabeled}};
 }
 
 std::vector<NamedArray>
