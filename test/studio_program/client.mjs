@@ -179,11 +179,12 @@ export async function start(test, args, options) {
 export async function runToEnd(test, args, options) {
   const program = new Program(args, options);
   test.after(() => program.kill());
-  const opened = program.opened.then(
-    () => Promise.reject(new Error('it was not refused: the program is open')),
+  // What is wrong with a session may be found when the address is printed already.
+  const soon = program.opened.then(
+    () => within(program.ended, 'the end of the program, which is open', PATIENCE / 4),
     () => program.ended,
   );
-  const { code, signal } = await within(opened, 'the end of the program');
+  const { code, signal } = await within(soon, 'the end of the program');
   return { code, signal, stdout: program.stdout, stderr: program.stderr };
 }
 
