@@ -9,10 +9,10 @@
 
 #include "browser.h"
 
+#include <csignal>
 #include <cstdlib>
 
 #include <spawn.h>
-#include <sys/wait.h>
 
 extern char** environ;
 
@@ -31,6 +31,7 @@ isSet(const char* variable)
 bool
 openBrowser(const std::string& url)
 {
+  std::signal(SIGCHLD, SIG_IGN); // some of these programs end with the browser
   if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY"))
     return false;
   std::string program = "xdg-open";
@@ -44,12 +45,7 @@ openBrowser(const std::string& url)
   const int reason =
       posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&quiet);
-  if (reason != 0)
-    return false;
-  // It hands the address on and ends; the browser goes its own way.
-  int status = 0;
-  return waitpid(child, &status, 0) == child && WIFEXITED(status) &&
-         WEXITSTATUS(status) == 0;
+  return reason == 0;
 }
 
 } // namespace pcl_cid::studio

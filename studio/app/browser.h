@@ -13,7 +13,7 @@
 
 namespace pcl_cid::studio {
 
-/** \brief Open an address in the user's browser.
+/** \brief Open an address in the user's browser, and don't wait for it.
  *  \return whether one was asked to: not without a screen, nor without xdg-open */
 bool
 openBrowser(const std::string& url);

@@ -17,6 +17,7 @@
 #include <pcl_cid/io/seed_table.h>
 #include <pcl_cid/io/semantic_kitti.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -121,6 +122,7 @@ Files
 writeScannet(Export& to)
 {
   const std::string id = fs::path(to.path).filename().string();
+  to.outputs.announceFolder(to.path);
   writeScannetAnnotation(to.labels, to.session.groups(), {to.path, id, ""}, to.outputs);
   const std::string predictions = (fs::path(to.path) / "prediction").string();
   announceScannetSubmission(predictions, id, to.outputs);
@@ -164,6 +166,17 @@ formatOf(const std::string& word)
   throw CIDException("there is no format '" + word + "'; there are " + all);
 }
 
+void
+requireFileName(const std::string& name)
+{
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 127; };
+  if (name.find('/') != std::string::npos || name.front() == '.' ||
+      std::any_of(name.begin(), name.end(), is_control))
+    throw CIDException("the name '" + std::string(name.c_str()) +
+                       "' must be that of a file, without folders, control characters "
+                       "and a dot before it");
+}
+
 } // namespace
 
 LabelExporter::LabelExporter(const LabelledCloud& cloud,
@@ -188,10 +201,7 @@ LabelExporter::write(const LabelSession& session,
 {
   const Format& chosen = formatOf(format);
   const std::string file = name.empty() ? name_ + "_labelled" : name;
-  if (file != fs::path(file).filename().string() || file == "." || file == ".." ||
-      file.front() == '.')
-    throw CIDException("the name '" + file +
-                       "' must be that of a file, without folders and not hidden");
+  requireFileName(file);
   const LabelledInstances labels{clean_up ? session.cleanedLabels({}, execution)
                                           : session.labels(),
                                  session.instances()};

@@ -31,12 +31,12 @@ MessageQueue::topicOf(ClientId client, const Frame& frame)
 }
 
 void
-MessageQueue::push(ClientId client, Frame frame)
+MessageQueue::push(ClientId client, Frame frame, bool may_change)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++count_;
   if (isChange(frame))
-    last_change_ = count_;
+    last_change_ = may_change ? count_ : last_change_;
   else
     last_asked_[topicOf(client, frame)] = count_;
   messages_.push_back({client, std::move(frame), count_, false});

@@ -35,9 +35,11 @@ struct Message {
  *  page has asked the same again. */
 class MessageQueue {
 public:
-  /** \brief From the thread of the server. */
+  /** \brief From the thread of the server.
+   *  \param[in] may_change whether the page may change the session: what another one
+   *  wants done makes no question pointless */
   void
-  push(ClientId client, Frame frame);
+  push(ClientId client, Frame frame, bool may_change);
 
   /** \brief Likewise: the page has become the writer. */
   void

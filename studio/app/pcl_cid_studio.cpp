@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <limits>
+#include <map>
 #include <memory>
 
 namespace {
@@ -138,32 +140,58 @@ begin(const StudioSettings& settings,
 
 /** What is wrong with the import, before the work. */
 void
-requireImport(const StudioSettings& settings,
-              const LoadedScan& scan,
-              const SessionFile& file)
+requireImport(const StudioSettings& settings, const LoadedScan& scan)
 {
   if (settings.import.empty())
     return;
-  if (!file.record().actions.empty())
+  if (isTable(settings.import)) {
+    readSeedTable(settings.import, scan.points);
+    return;
+  }
+  for (const std::uint32_t label : labelsOf(scan.cloud, settings.import, scan.points))
+    if (label == std::numeric_limits<std::uint32_t>::max())
+      throw CIDException(settings.input + ": field '" + settings.import +
+                         "' has the label " + std::to_string(label) +
+                         "; labels of a session go to one below");
+}
+
+/** Go on with a session that is there: its settings count.
+ *  \return whether there is one */
+bool
+goOn(StudioSettings& settings)
+{
+  const std::optional<SessionRecord> record = findSession(settings.session);
+  if (!record)
+    return false;
+  if (!settings.import.empty() && settings.import != record->settings.imported)
     throw CIDException(settings.session + ": the session has begun already; --import "
                                           "needs a new one (give another --session)");
-  if (isTable(settings.import))
-    readSeedTable(settings.import, scan.points);
-  else
-    labelsOf(scan.cloud, settings.import, scan.points);
+  useSettingsOf(record->settings, settings);
+  return true;
+}
+
+/** Where a session is as long as it is not known to be whole. */
+std::string
+partialName(const StudioSettings& settings)
+{
+  return settings.session + ".part";
 }
 
 void
 serve(StudioSettings& settings)
 {
   Run run(studio_tool, settings.quiet, {});
-  if (const std::optional<SessionRecord> record = findSession(settings.session))
-    useSettingsOf(record->settings, settings);
+  const bool imports = !goOn(settings) && !settings.import.empty();
   const std::unique_ptr<Resources> page = pageOf(settings);
   const LoadedScan scan = loadScan(settings, run);
-  SessionFile file(
-      settings.session, identityOf(scan.cloud), sessionSettingsOf(settings));
-  requireImport(settings, scan, file);
+  if (imports)
+    requireImport(settings, scan);
+  SessionSettings session_settings = sessionSettingsOf(settings);
+  session_settings.imported = settings.import;
+  SessionFile file(imports ? partialName(settings) : settings.session,
+                   identityOf(scan.cloud),
+                   session_settings,
+                   imports);
   const PointSet points = finitePoints(*scan.points.points);
   const Places places(points, scan.cloud.size());
   const ScanResources resources(
@@ -179,6 +207,8 @@ serve(StudioSettings& settings)
             prepareSession(settings, scan, execution), file, execution);
         if (session->revision() == 0)
           begin(settings, scan, *session, execution);
+        if (imports)
+          file.moveTo(settings.session);
         return session;
       },
       places,

@@ -73,8 +73,10 @@ QuestionDesk::nextQuestion(const Frame& question) const
   if (const auto key = optionalNumberIn(question.header, "after"))
     after = places_.requirePoint(*key);
   const std::optional<Question> next = session_.nextQuestion(after);
-  if (!next)
-    return {{{"question", nullptr}, {"left", 0}}, {}};
+  if (!next) {
+    const std::optional<Question> first = session_.nextQuestion();
+    return {{{"question", nullptr}, {"left", first ? first->left : 0}}, {}};
+  }
   const std::uint32_t place = places_.placeOf(next->seed);
   return withPlaces(
       {{"question", {{"seed", place}, {"place", place}, {"size", next->size}}},

@@ -92,7 +92,7 @@ SessionWorker::opened(ClientId client, bool is_writer)
 void
 SessionWorker::message(ClientId client, Frame frame)
 {
-  messages_.push(client, std::move(frame));
+  messages_.push(client, std::move(frame), client == writer_);
 }
 
 void
@@ -112,8 +112,9 @@ SessionWorker::promoted(ClientId client)
 void
 SessionWorker::work()
 {
-  session_ =
-      open_({threads_, progressTo(nullptr, [this] { return !messages_.isClosed(); })});
+  session_ = open_({threads_, progressTo(std::nullopt, nullptr, [this] {
+                      return !messages_.isClosed();
+                    })});
   desk_ =
       std::make_unique<QuestionDesk>(session_->session(), places_, points_, exporter_);
   while (const std::optional<Message> message = messages_.pop())
@@ -196,18 +197,24 @@ SessionWorker::executionOf(const Message& message, const Json& id)
   const auto verb = message.frame.header.find("do");
   if (verb != message.frame.header.end() && *verb != "propose")
     return {threads_, {}};
-  return {threads_,
-          progressTo(id, [this, &message] { return !messages_.isPointless(message); })};
+  return {threads_, progressTo(message.client, id, [this, &message] {
+            return !messages_.isPointless(message);
+          })};
 }
 
-/** Tell all pages how far work is that takes long. */
+/** Tell a page, or all, how far work is that takes long. */
 ProgressCallback
-SessionWorker::progressTo(const Json& id, std::function<bool()> goes_on)
+SessionWorker::progressTo(std::optional<ClientId> client,
+                          const Json& id,
+                          std::function<bool()> goes_on)
 {
   using Clock = std::chrono::steady_clock;
-  return [this, id, goes_on = std::move(goes_on), begin = Clock::now()](double share) {
-    if (server_ && Clock::now() - begin > worth_telling)
-      server_->broadcast({{{"event", "progress"}, {"id", id}, {"share", share}}, {}});
+  return [=, goes_on = std::move(goes_on), begin = Clock::now()](double share) {
+    if (Clock::now() - begin > worth_telling) {
+      Frame frame{{{"event", "progress"}, {"id", id}, {"share", share}}, {}};
+      client ? server_->send(*client, std::move(frame))
+             : server_->broadcast(std::move(frame));
+    }
     return goes_on();
   };
 }

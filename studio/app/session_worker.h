@@ -20,6 +20,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -96,7 +97,9 @@ private:
   executionOf(const Message& message, const nlohmann::json& id);
 
   ProgressCallback
-  progressTo(const nlohmann::json& id, std::function<bool()> goes_on);
+  progressTo(std::optional<ClientId> client,
+             const nlohmann::json& id,
+             std::function<bool()> goes_on);
 
   OpenSession open_;
   const Places& places_;

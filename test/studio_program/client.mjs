@@ -17,7 +17,7 @@ import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const MODULES = process.env.STUDIO_NODE_MODULES ?? join(ROOT, 'studio/page/node_modules');
-const PROGRAM = process.env.PCL_CID_STUDIO ?? join(ROOT, 'build/dev/bin/pcl_cid_studio');
+const PROGRAM = process.env.STUDIO_PROGRAM ?? join(ROOT, 'build/dev/bin/pcl_cid_studio');
 const WebSocket = createRequire(join(MODULES, 'here.js'))('ws');
 
 export const NO_GROUP = 0xffffffff;
@@ -69,7 +69,7 @@ export class Program {
 
   constructor(args, { env = {}, isUnprivileged = false, browser = false } = {}) {
     if (!existsSync(PROGRAM))
-      throw new Error(`${PROGRAM} is not there; set PCL_CID_STUDIO to the program`);
+      throw new Error(`${PROGRAM} is not there; set STUDIO_PROGRAM to the program`);
     const options = browser ? args : ['--no-browser', ...args];
     const nobody = { uid: 65534, gid: 65534 };
     this.#child = spawn(PROGRAM, options, {

@@ -80,9 +80,7 @@ test('a browser is opened with the address', async (t) => {
   assert.equal((await program.interrupt()).code, 0);
 });
 
-test('it serves while xdg-open runs: some run the browser until it is closed', {
-  todo: 'openBrowser() waits for xdg-open before the server runs',
-}, async (t) => {
+test('it serves while xdg-open runs: some run the browser until it is closed', async (t) => {
   const env = browser(t, 'exec sleep 8');
   const program = new Program([smallScan(t), '--seeds', '4'], { env, browser: true });
   t.after(() => program.kill());

@@ -440,9 +440,7 @@ test('labels that were given elsewhere', async (t) => {
     await assertEnds(t, [write('a.pcd', 'U4', some), '--import', 'none.csv'], /none\.csv/);
   });
 
-  await t.test('a label that is none of ours is refused before a session is begun', {
-    todo: 'begin() finds out when it has written the first actions',
-  }, async () => {
+  await t.test('a label that is none of ours is refused before a session is begun', async () => {
     const folder = temporaryFolder(t);
     const scan = join(folder, 'most.pcd');
     const cloud = smallRoom(600);
@@ -453,9 +451,7 @@ test('labels that were given elsewhere', async (t) => {
     await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
   });
 
-  await t.test('the same command goes on after an import', {
-    todo: 'requireImport() refuses what was imported by the same command',
-  }, async () => {
+  await t.test('the same command goes on after an import', async () => {
     const folder = temporaryFolder(t);
     const scan = join(folder, 'a.pcd');
     const cloud = smallRoom(600);
@@ -466,9 +462,7 @@ test('labels that were given elsewhere', async (t) => {
     assertSameSession(await contentOf(t, args), content);
   });
 
-  await t.test('an import that was killed is not taken for a whole one', {
-    todo: 'begin() leaves what it had done, and the next start goes on from there',
-  }, async () => {
+  await t.test('an import that was killed is not taken for a whole one', async () => {
     const folder = temporaryFolder(t);
     const scan = join(folder, 'a.pcd');
     const cloud = smallRoom(4000);

@@ -46,6 +46,9 @@ struct SessionSettings {
   PreparationSettings preparation;
   GroupingSettings grouping;
   bool keep_zeros = false; ///< see PointOptions
+  /** Where the labels are from that it began with, a field or a file; empty for none.
+   *  They are among the actions; this is to tell one import from another. */
+  std::string imported;
 };
 
 /** \brief What a session file holds. */
@@ -105,11 +108,13 @@ public:
   /** \brief Open a session, or begin one where there is no file, or an empty one.
    *  \param[in] scan what it must be of
    *  \param[in] settings of a new one; one that is there has its own
+   *  \param[in] anew begin a new one whatever is there
    *  \throws CIDException when it cannot be read or written, another program has it
    *  open, it is not a session, or one of another scan */
   SessionFile(std::string path,
               const ScanIdentity& scan,
-              const SessionSettings& settings);
+              const SessionSettings& settings,
+              bool anew = false);
   ~SessionFile();
   SessionFile(const SessionFile&) = delete;
   SessionFile&
@@ -139,8 +144,16 @@ public:
   void
   dropLast();
 
+  /** \brief Give the file another name, in the same folder; what had it is gone.
+   *  \throws CIDException when the file cannot be renamed */
+  void
+  moveTo(const std::string& path);
+
 private:
   class File;
+
+  void
+  begin(const ScanIdentity& scan, const SessionSettings& settings);
 
   void
   write(const std::string& line);

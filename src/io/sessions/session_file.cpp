@@ -111,6 +111,14 @@ resolved(const std::string& path)
   return error ? path : target.string();
 }
 
+/** Let the name of a file reach the disk. */
+void
+synchronizeFolderOf(const std::string& path)
+{
+  if (const int reason = synchronize(fs::absolute(resolved(path)).parent_path()))
+    fail(path, "be written", reason);
+}
+
 } // namespace
 
 ScanIdentity
@@ -255,19 +263,15 @@ private:
 
 SessionFile::SessionFile(std::string path,
                          const ScanIdentity& scan,
-                         const SessionSettings& settings)
+                         const SessionSettings& settings,
+                         bool anew)
 : path_(std::move(path)), file_(std::make_unique<File>(path_))
 {
-  const std::string text = file_->readAll();
+  const std::string text = anew ? "" : file_->readAll();
   const Lines lines(text);
   if (lines.texts.empty()) {
     requireTornHeader(text, path_);
-    file_->cut(0);
-    write(lineOf(headerOf(scan, settings)));
-    if (const int reason = synchronize(fs::absolute(resolved(path_)).parent_path()))
-      fail(path_, "be written", reason);
-    record_.scan = scan;
-    record_.settings = settings;
+    begin(scan, settings);
     return;
   }
   record_ = recordOf(lines, path_);
@@ -276,6 +280,27 @@ SessionFile::SessionFile(std::string path,
   before_last_ = lines.ends.size() > 1 ? lines.ends[lines.ends.size() - 2] : end_;
   if (end_ < text.size())
     file_->cut(end_);
+}
+
+void
+SessionFile::begin(const ScanIdentity& scan, const SessionSettings& settings)
+{
+  file_->cut(0);
+  write(lineOf(headerOf(scan, settings)));
+  synchronizeFolderOf(path_);
+  record_.scan = scan;
+  record_.settings = settings;
+}
+
+void
+SessionFile::moveTo(const std::string& path)
+{
+  std::error_code error;
+  fs::rename(resolved(path_), resolved(path), error);
+  if (error)
+    fail(path, "be written", error.value());
+  path_ = path;
+  synchronizeFolderOf(path_);
 }
 
 SessionFile::~SessionFile() = default;

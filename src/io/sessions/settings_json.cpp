@@ -120,6 +120,8 @@ headerOf(const ScanIdentity& scan, const SessionSettings& settings)
   if (settings.preparation.start_index)
     rows[setting::start_index.name] = *settings.preparation.start_index;
   rows["keep_zeros"] = settings.keep_zeros;
+  if (!settings.imported.empty())
+    rows["imported"] = settings.imported;
   return {{"format", format},
           {"version", version},
           {"scan",
@@ -152,6 +154,8 @@ recordFrom(const Json& header)
   if (!keep_zeros.is_boolean())
     throw CIDException("'keep_zeros' must be true or false");
   record.settings.keep_zeros = keep_zeros.get<bool>();
+  if (rows.contains("imported"))
+    record.settings.imported = textIn(rows, "imported");
   return record;
 }
 
