@@ -53,6 +53,10 @@ export class Asking extends Emitter<{ closed: Asked; opened: Asked }> {
     super();
     area.append(this.ring);
     view.on('frame', () => this.follow());
+    // After a turn of the view the keys belong to it, but digits still answer.
+    view.canvas.addEventListener('keydown', (event) => {
+      if (this.card?.digit(event)) event.preventDefault();
+    });
   }
 
   /** The classes of the list, in the order of their digits, then those that came by typing. */

@@ -90,6 +90,12 @@ export class ClassInput {
     this.field.focus({ preventScroll: true });
   }
 
+  /** A digit that was pressed outside the field, as after a turn of the view; true: it was an answer. */
+  digit(event: KeyboardEvent): boolean {
+    const isDigit = /^(Digit|Numpad)[0-9]$/.test(event.code) || /^[0-9]$/.test(event.key);
+    return isDigit && !event.ctrlKey && !event.altKey && !event.metaKey && this.act(event, true);
+  }
+
   set picking(on: boolean) {
     this.pickButton.setAttribute('aria-pressed', String(on));
     this.element.classList.toggle('picking', on);

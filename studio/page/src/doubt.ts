@@ -62,7 +62,7 @@ export class Doubt {
     this.section.suspended = kept < 0.35 * places.length;
     this.section.apply();
     this.view.cloud.mark(MARK_GROUP, places);
-    const point = chooseViewPoint(this.view, this.camera, places, this.diagonal, this.isDrawn, 2.2);
+    const point = chooseViewPoint(this.view, this.camera, places, this.diagonal, this.isDrawn, { pull: 2.2 });
     void this.camera.lookFrom(point.target, point.direction, point.distance);
     this.view.pulse();
     this.messages.note(`${count(places.length)} points with less than ${metres(below)} between the two nearest labels. Click the one that is wrong.`);

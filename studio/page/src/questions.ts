@@ -109,9 +109,7 @@ export class Questions {
     this.section.suspended = cut;
     this.section.apply();
     cloud.mark(MARK_GROUP, group);
-    const point = chooseViewPoint(this.view, this.camera, group, this.diagonal, this.isDrawn);
-    // The card covers the lower part of the picture.
-    point.target.addScaledVector(this.view.up, -0.13 * point.distance);
+    const point = chooseViewPoint(this.view, this.camera, group, this.diagonal, this.isDrawn, { card: true });
     void this.camera.lookFrom(point.target, point.direction, point.distance);
     this.view.pulse();
     const more = left === 1 ? 'the last question' : `${count(left)} questions left`;
