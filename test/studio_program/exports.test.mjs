@@ -413,6 +413,7 @@ test('a folder in which nobody may write any more', async (t) => {
   writePcd(scan, fieldsOfTest());
   const program = await start(t, [scan, '--seeds', '5'], { isUnprivileged: true });
   const page = await program.connect();
+  await page.ask('state'); // its first questions are in its file
   chmodSync(folder, 0o555);
   const before = contentsOf(folder);
   for (const format of ['pcd', 's3dis', 'kitti', 'seeds'])
