@@ -58,7 +58,8 @@ constexpr std::size_t most_header_bytes = std::size_t{1} << 20;
 /** \brief Read a frame.
  *  \param[in] bytes the whole message
  *  \param[in] most_bytes the longest header to take: one that is parsed takes many
- * times its bytes of memory \throws BadFrame */
+ *  times its bytes of memory
+ *  \throws BadFrame */
 Frame
 decodeFrame(std::string_view bytes, std::size_t most_bytes = most_header_bytes);
 

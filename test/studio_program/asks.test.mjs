@@ -35,7 +35,10 @@ test('the sample scan', async (t) => {
       seen.add(`${index} ${place}`);
       ['x', 'y', 'z'].forEach((axis, j) => {
         assert.ok(Math.abs(position[j] - fields[axis][1][index]) < 1e-5);
-        assert.ok(Math.abs(positions[3 * place + j] + origin[j] - fields[axis][1][index]) < 1e-5);
+        assert.ok(
+          Math.abs(positions[3 * place + j] + origin[j] - fields[axis][1][index]) <
+            1e-5,
+        );
       });
       assert.equal(label, replica.labels[place]);
       assert.equal(seed, replica.groups[place]);
@@ -54,11 +57,14 @@ test('the sample scan', async (t) => {
       assert.deepEqual(replica.apply(delta), []);
       assert.ok(preview.has(place));
       replica.groups.forEach((group, i) => {
-        if ((group === place) !== preview.has(i)) assert.fail(`click on ${place}: place ${i}`);
+        if ((group === place) !== preview.has(i))
+          assert.fail(`click on ${place}: place ${i}`);
       });
       others += delta.arrays.places.filter((i) => !preview.has(i)).length;
     }
-    t.diagnostic(`${others} places went to other seeds, cut off from theirs by a click`);
+    t.diagnostic(
+      `${others} places went to other seeds, cut off from theirs by a click`,
+    );
     await assertRefused(page.ask('preview', { place: places }));
     await assertRefused(page.ask('preview', {}));
   });
@@ -68,7 +74,8 @@ test('the sample scan', async (t) => {
       const { cid } = (await page.ask('cid', { place })).arrays;
       assert.equal(cid.length, places);
       assert.equal(cid[place], 0);
-      for (const value of cid) if (!(value >= 0 && value < 100)) assert.fail(`CID ${value}`);
+      for (const value of cid)
+        if (!(value >= 0 && value < 100)) assert.fail(`CID ${value}`);
     }
     await assertRefused(page.ask('cid', { place: -1 }));
   });
@@ -90,7 +97,9 @@ test('the sample scan', async (t) => {
       if (value < 0) ++below;
     });
     assert.ok(known > 1000);
-    t.diagnostic(`${below} of ${known} margins are below 0 (pieces that hang on no other)`);
+    t.diagnostic(
+      `${below} of ${known} margins are below 0 (pieces that hang on no other)`,
+    );
   });
 
   await t.test('doubtful: places whose doubt is below the limit', async () => {
@@ -106,61 +115,79 @@ test('the sample scan', async (t) => {
       assert.equal(new Set(arrays.places).size, size);
     }
     assert.equal((await page.ask('doubtful', { below: 1e-30 })).size >= 0, true);
-    for (const below of [0, -1, 'x', null, undefined]) await assertRefused(page.ask('doubtful', { below }));
+    for (const below of [0, -1, 'x', null, undefined])
+      await assertRefused(page.ask('doubtful', { below }));
   });
 
   await t.test('nothing of this has changed anything', async () => {
     assertSameSession((await stateOf(page)).content, replica.content);
   });
 
-  await t.test('the same again, or a change, cancels what waits; every id has one answer', async () => {
-    const own = await program.connect(); // looks on; its ids are its own
-    const outcomes = { answered: 0, cancelled: 0 };
-    const asked = [];
-    const say = (promise, mayCancel = true) =>
-      asked.push(
-        promise.then(
-          (answer) => {
-            ++outcomes.answered;
-            return answer;
-          },
-          (error) => {
-            if (!(error instanceof Refused) || error.message !== 'cancelled' || !mayCancel) throw error;
-            ++outcomes.cancelled;
-          },
-        ),
-      );
-    for (let k = 0; k < 8; ++k) {
-      say(page.ask('cid', { place: somePlace() }));
-      say(page.ask('preview', { place: somePlace() }));
-      say(page.ask('cid', { place: somePlace() }));
-      say(own.ask('cid', { place: somePlace() }));
-      if (k === 3)
-        say(page.do('click', { place: somePlace(), label: 1 }).then((delta) => replica.apply(delta)), false);
-    }
-    const last = page.ask('preview', { place: 5 }); // superseded by nothing
-    say(last, false);
-    await Promise.all(asked);
-    assert.ok(outcomes.cancelled > 0, 'some are cancelled');
-    for (const each of [page, own])
-      for (const [id, answers] of each.answers) assert.equal(answers, 1, `answers to ${id}`);
-    assert.equal(page.answers.size + own.answers.size > 26, true);
-    assertSameSession((await stateOf(page)).content, replica.content);
-    t.diagnostic(`${outcomes.answered} answered, ${outcomes.cancelled} cancelled`);
-  });
+  await t.test(
+    'the same again, or a change, cancels what waits; every id has one answer',
+    async () => {
+      const own = await program.connect(); // looks on; its ids are its own
+      const outcomes = { answered: 0, cancelled: 0 };
+      const asked = [];
+      const say = (promise, mayCancel = true) =>
+        asked.push(
+          promise.then(
+            (answer) => {
+              ++outcomes.answered;
+              return answer;
+            },
+            (error) => {
+              if (
+                !(error instanceof Refused) ||
+                error.message !== 'cancelled' ||
+                !mayCancel
+              )
+                throw error;
+              ++outcomes.cancelled;
+            },
+          ),
+        );
+      for (let k = 0; k < 8; ++k) {
+        say(page.ask('cid', { place: somePlace() }));
+        say(page.ask('preview', { place: somePlace() }));
+        say(page.ask('cid', { place: somePlace() }));
+        say(own.ask('cid', { place: somePlace() }));
+        if (k === 3)
+          say(
+            page
+              .do('click', { place: somePlace(), label: 1 })
+              .then((delta) => replica.apply(delta)),
+            false,
+          );
+      }
+      const last = page.ask('preview', { place: 5 }); // superseded by nothing
+      say(last, false);
+      await Promise.all(asked);
+      assert.ok(outcomes.cancelled > 0, 'some are cancelled');
+      for (const each of [page, own])
+        for (const [id, answers] of each.answers)
+          assert.equal(answers, 1, `answers to ${id}`);
+      assert.equal(page.answers.size + own.answers.size > 26, true);
+      assertSameSession((await stateOf(page)).content, replica.content);
+      t.diagnostic(`${outcomes.answered} answered, ${outcomes.cancelled} cancelled`);
+    },
+  );
 
-  await t.test('what one page does not get done does not cancel what another asks', async () => {
-    const onlooker = await program.connect();
-    await onlooker.ask('state');
-    const first = page.ask('cid', { place: 1 });
-    const second = page.ask('preview', { place: 1 });
-    await Promise.all([
-      assertRefused(onlooker.do('undo'), /page/),
-      assertRefused(onlooker.do('undo'), /page/),
-      first,
-      second,
-    ]);
-  });
+  await t.test(
+    'what one page does not get done does not cancel what another asks',
+    async () => {
+      const onlooker = await program.connect();
+      await onlooker.ask('state');
+      const first = page.ask('cid', { place: 1 });
+      const second = page.ask('preview', { place: 1 });
+      await Promise.all([
+        assertRefused(onlooker.do('undo'), /page/),
+        assertRefused(onlooker.do('undo'), /page/),
+        first,
+        second,
+      ]);
+    },
+  );
 });
 
 test('where groups need not hang together, a click changes what its preview has', async (t) => {

@@ -16,8 +16,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
-const MODULES = process.env.STUDIO_NODE_MODULES ?? join(ROOT, 'studio/page/node_modules');
-const PROGRAM = process.env.STUDIO_PROGRAM ?? join(ROOT, 'build/dev/bin/pcl_cid_studio');
+const MODULES =
+  process.env.STUDIO_NODE_MODULES ?? join(ROOT, 'studio/page/node_modules');
+const PROGRAM =
+  process.env.STUDIO_PROGRAM ?? join(ROOT, 'build/dev/bin/pcl_cid_studio');
 const WebSocket = createRequire(join(MODULES, 'here.js'))('ws');
 
 export const NO_GROUP = 0xffffffff;
@@ -28,14 +30,17 @@ const PATIENCE = Number(process.env.STUDIO_TEST_PATIENCE ?? 60000);
 export function within(promise, what, milliseconds = PATIENCE) {
   let timer;
   const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`waited too long for ${what}`)), milliseconds);
+    timer = setTimeout(
+      () => reject(new Error(`waited too long for ${what}`)),
+      milliseconds,
+    );
   });
   return Promise.race([promise, late]).finally(() => clearTimeout(timer));
 }
 
 /** Until something is so; for what is not told. */
 export async function until(isSo, what) {
-  for (const end = Date.now() + PATIENCE; Date.now() < end; ) {
+  for (const end = Date.now() + PATIENCE; Date.now() < end;) {
     const found = await isSo();
     if (found) return found;
     await new Promise((resolve) => setTimeout(resolve, 10));
@@ -92,7 +97,9 @@ export class Program {
       });
       this.ended.then(
         ({ code, signal }) =>
-          reject(new Error(`ended with ${code ?? signal} and no address: ${this.stderr}`)),
+          reject(
+            new Error(`ended with ${code ?? signal} and no address: ${this.stderr}`),
+          ),
         reject,
       );
     });
@@ -155,7 +162,9 @@ export class Program {
 
   async positions() {
     const { body } = await this.get('/api/positions');
-    return new Float32Array(body.buffer.slice(body.byteOffset, body.byteOffset + body.length));
+    return new Float32Array(
+      body.buffer.slice(body.byteOffset, body.byteOffset + body.length),
+    );
   }
 
   /** A page's socket. */
@@ -194,7 +203,9 @@ export function encode(header, arrays = {}) {
     type: array instanceof Float32Array ? 'f32' : 'u32',
     length: array.length,
   }));
-  const text = Buffer.from(JSON.stringify(list.length ? { ...header, arrays: list } : header));
+  const text = Buffer.from(
+    JSON.stringify(list.length ? { ...header, arrays: list } : header),
+  );
   const head = Buffer.alloc(4 + Math.ceil(text.length / 4) * 4);
   head.writeUInt32LE(text.length);
   text.copy(head, 4);
@@ -289,7 +300,10 @@ export class Page {
       this.#waiting.set(id, { resolve, reject });
     });
     this.#socket.send(encode({ ...header, id }, arrays));
-    const safe = within(answered, `the answer to ${JSON.stringify(header).slice(0, 200)}`);
+    const safe = within(
+      answered,
+      `the answer to ${JSON.stringify(header).slice(0, 200)}`,
+    );
     safe.catch(() => {});
     return safe;
   }

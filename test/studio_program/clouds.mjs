@@ -25,9 +25,21 @@ export function randomNumbers(seed) {
 export function smallRoom(points, seed = 1) {
   const random = randomNumbers(seed);
   const sides = [
-    [[0, 0, 0], [4, 0, 0], [0, 3, 0]],
-    [[0, 0, 0], [4, 0, 0], [0, 0, 2.5]],
-    [[0, 0, 0], [0, 3, 0], [0, 0, 2.5]],
+    [
+      [0, 0, 0],
+      [4, 0, 0],
+      [0, 3, 0],
+    ],
+    [
+      [0, 0, 0],
+      [4, 0, 0],
+      [0, 0, 2.5],
+    ],
+    [
+      [0, 0, 0],
+      [0, 3, 0],
+      [0, 0, 2.5],
+    ],
   ];
   for (const [x, y, w, d, h] of [
     [0.6, 0.5, 0.8, 0.6, 0.7],
@@ -35,9 +47,35 @@ export function smallRoom(points, seed = 1) {
     [1.0, 1.8, 0.6, 0.7, 0.5],
     [2.7, 1.9, 0.7, 0.6, 0.9],
   ]) {
-    sides.push([[x, y, h], [w, 0, 0], [0, d, 0]]);
-    sides.push([[x, y, 0], [w, 0, 0], [0, 0, h]], [[x, y + d, 0], [w, 0, 0], [0, 0, h]]);
-    sides.push([[x, y, 0], [0, d, 0], [0, 0, h]], [[x + w, y, 0], [0, d, 0], [0, 0, h]]);
+    sides.push([
+      [x, y, h],
+      [w, 0, 0],
+      [0, d, 0],
+    ]);
+    sides.push(
+      [
+        [x, y, 0],
+        [w, 0, 0],
+        [0, 0, h],
+      ],
+      [
+        [x, y + d, 0],
+        [w, 0, 0],
+        [0, 0, h],
+      ],
+    );
+    sides.push(
+      [
+        [x, y, 0],
+        [0, d, 0],
+        [0, 0, h],
+      ],
+      [
+        [x + w, y, 0],
+        [0, d, 0],
+        [0, 0, h],
+      ],
+    );
   }
   const length = (edge) => Math.hypot(...edge);
   const areas = sides.map(([, u, v]) => length(u) * length(v));
@@ -117,7 +155,7 @@ export function writePositions(path, { x, y, z }, options) {
 function decompressed(bytes, size) {
   const out = Buffer.alloc(size);
   let to = 0;
-  for (let at = 0; at < bytes.length; ) {
+  for (let at = 0; at < bytes.length;) {
     const control = bytes[at++];
     if (control < 32) {
       bytes.copy(out, to, at, at + control + 1);
@@ -152,23 +190,31 @@ export function readPcd(path) {
   }
   const names = header.FIELDS;
   const types = names.map((_, k) => header.TYPE[k] + header.SIZE[k]);
-  if (header.COUNT.some((count) => count !== '1')) throw new Error('a field has several values');
+  if (header.COUNT.some((count) => count !== '1'))
+    throw new Error('a field has several values');
   const count = Number(header.POINTS[0]);
   const [width, height] = [Number(header.WIDTH[0]), Number(header.HEIGHT[0])];
   const data = header.DATA[0];
   const fields = Object.fromEntries(names.map((name, k) => [name, [types[k], []]]));
   if (data === 'ascii') {
     const lines = bytes.toString('latin1', at).trimEnd().split('\n');
-    if (lines.length !== count) throw new Error(`${lines.length} lines, ${count} points`);
+    if (lines.length !== count)
+      throw new Error(`${lines.length} lines, ${count} points`);
     for (const line of lines)
-      line.trim().split(/\s+/).forEach((word, k) => {
-        fields[names[k]][1].push(numberOf(word, types[k]));
-      });
+      line
+        .trim()
+        .split(/\s+/)
+        .forEach((word, k) => {
+          fields[names[k]][1].push(numberOf(word, types[k]));
+        });
     return { fields, width, height, data };
   }
   const isPacked = data === 'binary_compressed';
   const body = isPacked
-    ? decompressed(bytes.subarray(at + 8, at + 8 + bytes.readUInt32LE(at)), bytes.readUInt32LE(at + 4))
+    ? decompressed(
+        bytes.subarray(at + 8, at + 8 + bytes.readUInt32LE(at)),
+        bytes.readUInt32LE(at + 4),
+      )
     : bytes.subarray(at);
   const view = new DataView(body.buffer, body.byteOffset, body.length);
   const step = types.reduce((sum, type) => sum + sizeOf(type), 0);
@@ -177,7 +223,10 @@ export function readPcd(path) {
     const size = sizeOf(types[k]);
     for (let i = 0; i < count; ++i)
       fields[name][1].push(
-        readers[types[k]](view, isPacked ? offset * count + i * size : i * step + offset),
+        readers[types[k]](
+          view,
+          isPacked ? offset * count + i * size : i * step + offset,
+        ),
       );
     offset += size;
   });
@@ -185,29 +234,50 @@ export function readPcd(path) {
 }
 
 const plyTypes = {
-  char: 'I1', int8: 'I1', uchar: 'U1', uint8: 'U1', short: 'I2', int16: 'I2', ushort: 'U2',
-  uint16: 'U2', int: 'I4', int32: 'I4', uint: 'U4', uint32: 'U4', float: 'F4', float32: 'F4',
-  double: 'F8', float64: 'F8',
+  char: 'I1',
+  int8: 'I1',
+  uchar: 'U1',
+  uint8: 'U1',
+  short: 'I2',
+  int16: 'I2',
+  ushort: 'U2',
+  uint16: 'U2',
+  int: 'I4',
+  int32: 'I4',
+  uint: 'U4',
+  uint32: 'U4',
+  float: 'F4',
+  float32: 'F4',
+  double: 'F8',
+  float64: 'F8',
 };
 
 /** Of a PLY whose first element is the points: {fields, format} */
 export function readPly(path) {
   const bytes = readFileSync(path);
   const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
-  const header = bytes.toString('latin1', 0, end).split('\n').map((line) => line.trim().split(/\s+/));
+  const header = bytes
+    .toString('latin1', 0, end)
+    .split('\n')
+    .map((line) => line.trim().split(/\s+/));
   const format = header.find(([word]) => word === 'format')[1];
   const first = header.findIndex(([word]) => word === 'element');
   const count = Number(header[first][2]);
   const properties = [];
   for (let k = first + 1; header[k][0] === 'property'; ++k)
     properties.push([header[k][2], plyTypes[header[k][1]]]);
-  const fields = Object.fromEntries(properties.map(([name, type]) => [name, [type, []]]));
+  const fields = Object.fromEntries(
+    properties.map(([name, type]) => [name, [type, []]]),
+  );
   if (format === 'ascii') {
     const lines = bytes.toString('latin1', end).split('\n').slice(0, count);
     for (const line of lines)
-      line.trim().split(/\s+/).forEach((word, k) => {
-        fields[properties[k][0]][1].push(numberOf(word, properties[k][1]));
-      });
+      line
+        .trim()
+        .split(/\s+/)
+        .forEach((word, k) => {
+          fields[properties[k][0]][1].push(numberOf(word, properties[k][1]));
+        });
     return { fields, format };
   }
   if (format !== 'binary_little_endian') throw new Error(`format ${format}`);

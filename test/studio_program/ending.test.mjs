@@ -11,7 +11,14 @@ import assert from 'node:assert/strict';
 import { chmodSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Program, sampleScan, start, temporaryFolder, until, within } from './client.mjs';
+import {
+  Program,
+  sampleScan,
+  start,
+  temporaryFolder,
+  until,
+  within,
+} from './client.mjs';
 import { smallRoom, writePositions } from './clouds.mjs';
 import { assertSameSession, stateOf } from './session_checks.mjs';
 
@@ -44,7 +51,10 @@ test('SIGINT in the middle of work ends it soon, and the work was not begun', as
   const page = await program.connect();
   const replica = await stateOf(page);
   page.do('propose', { seeds: 20000 }).catch(() => {});
-  await page.event(({ header }) => header.event === 'progress' && header.id !== null, 'progress');
+  await page.event(
+    ({ header }) => header.event === 'progress' && header.id !== null,
+    'progress',
+  );
   const begin = Date.now();
   assert.deepEqual(await program.interrupt(), { code: 0, signal: null });
   t.diagnostic(`ended after ${Date.now() - begin} ms`);
@@ -74,19 +84,25 @@ function browser(t, script) {
 test('a browser is opened with the address', async (t) => {
   const told = join(temporaryFolder(t), 'told');
   const env = browser(t, `echo "$1" > '${told}.part' && mv '${told}.part' '${told}'`);
-  const program = await start(t, [smallScan(t), '--seeds', '4'], { env, browser: true });
+  const program = await start(t, [smallScan(t), '--seeds', '4'], {
+    env,
+    browser: true,
+  });
   await until(() => existsSync(told), 'the browser');
   assert.equal(readFileSync(told, 'utf8').trim(), program.url.href);
   assert.equal((await program.interrupt()).code, 0);
 });
 
-test('it serves while xdg-open runs: some run the browser until it is closed', async (t) => {
-  const env = browser(t, 'exec sleep 8');
-  const program = new Program([smallScan(t), '--seeds', '4'], { env, browser: true });
-  t.after(() => program.kill());
-  await within(program.opened, 'the address');
-  await within(program.enter(), 'the page while the browser runs', 5000);
-});
+test(
+  'it serves while xdg-open runs: some run the browser until it is closed',
+  async (t) => {
+    const env = browser(t, 'exec sleep 8');
+    const program = new Program([smallScan(t), '--seeds', '4'], { env, browser: true });
+    t.after(() => program.kill());
+    await within(program.opened, 'the address');
+    await within(program.enter(), 'the page while the browser runs', 5000);
+  },
+);
 
 test('the session is free when the program ends, though its browser stays', async (t) => {
   const env = browser(t, '(sleep 5 >/dev/null 2>&1 &) ; exit 0');

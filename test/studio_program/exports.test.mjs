@@ -9,12 +9,26 @@
 
 import assert from 'node:assert/strict';
 import {
-  chmodSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, symlinkSync, writeFileSync,
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
 } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { sampleScan, start, temporaryFolder } from './client.mjs';
-import { randomNumbers, readPcd, readPly, smallRoom, writePcd, writePly } from './clouds.mjs';
+import {
+  randomNumbers,
+  readPcd,
+  readPly,
+  smallRoom,
+  writePcd,
+  writePly,
+} from './clouds.mjs';
 import { assertRefused, assertSameSession, stateOf } from './session_checks.mjs';
 
 const COUNT = 900;
@@ -64,13 +78,19 @@ async function expectedLabels(page, replica, count) {
 
 function assertSameFields(actual, expected, labels) {
   const names = Object.keys(expected).filter((name) => name !== 'label');
-  assert.deepEqual(Object.keys(actual).filter((name) => name !== 'label'), names);
+  assert.deepEqual(
+    Object.keys(actual).filter((name) => name !== 'label'),
+    names,
+  );
   for (const name of names) assert.deepEqual(actual[name], expected[name], name);
   assert.equal(actual.label[0], 'U4');
   assert.deepEqual(actual.label[1], labels);
 }
 
-for (const [data, width, height] of [['ascii', COUNT, 1], ['binary', 30, 30]])
+for (const [data, width, height] of [
+  ['ascii', COUNT, 1],
+  ['binary', 30, 30],
+])
   test(`PCD (${data}, ${width} x ${height}) and PLY have every field and point`, async (t) => {
     const scan = join(temporaryFolder(t), 'many.pcd');
     const fields = fieldsOfTest();
@@ -80,15 +100,28 @@ for (const [data, width, height] of [['ascii', COUNT, 1], ['binary', 30, 30]])
     assert.ok(new Set(labels).size === 4);
 
     const pcd = await page.ask('export', { format: 'pcd', file: 'out' });
-    assert.deepEqual(pcd.files.map((file) => basename(file)), ['out.pcd', 'out.instances.json']);
+    assert.deepEqual(
+      pcd.files.map((file) => basename(file)),
+      ['out.pcd', 'out.instances.json'],
+    );
     const read = readPcd(join(folder, 'out.pcd'));
     assert.deepEqual([read.data, read.width, read.height], [data, width, height]);
     assertSameFields(read.fields, fields, labels);
 
     const list = JSON.parse(readFileSync(join(folder, 'out.instances.json'), 'utf8'));
     assert.deepEqual(
-      list.map(({ label, class: name, name: text, points }) => [label, name, text, points]),
-      replica.summary.instances.map((each) => [each.label, each.class, each.name, each.size]),
+      list.map(({ label, class: name, name: text, points }) => [
+        label,
+        name,
+        text,
+        points,
+      ]),
+      replica.summary.instances.map((each) => [
+        each.label,
+        each.class,
+        each.name,
+        each.size,
+      ]),
     );
 
     await page.ask('export', { format: 'ply', file: 'out' });
@@ -102,11 +135,14 @@ test('the sample scan, and its cleaned labels', async (t) => {
   await page.ask('export', { format: 'pcd', file: 'out' });
   const [given, out] = [readPcd(scan), readPcd(join(folder, 'out.pcd'))];
   assert.equal(out.data, given.data);
-  for (const name of ['x', 'y', 'z', 'semantic']) assert.deepEqual(out.fields[name], given.fields[name]);
-  const count = (labels) => labels.reduce((sum, label) => sum.set(label, (sum.get(label) ?? 0) + 1), new Map());
+  for (const name of ['x', 'y', 'z', 'semantic'])
+    assert.deepEqual(out.fields[name], given.fields[name]);
+  const count = (labels) =>
+    labels.reduce((sum, label) => sum.set(label, (sum.get(label) ?? 0) + 1), new Map());
   const sizes = count(out.fields.label[1]);
   assert.equal(sizes.get(0), replica.summary.unlabeled);
-  for (const { label, size } of replica.summary.instances) assert.equal(sizes.get(label), size);
+  for (const { label, size } of replica.summary.instances)
+    assert.equal(sizes.get(label), size);
   await page.ask('export', { format: 'pcd', file: 'clean', clean_up: true });
   const clean = readPcd(join(folder, 'clean.pcd')).fields.label[1];
   const changed = clean.filter((label, i) => label !== out.fields.label[1][i]).length;
@@ -137,7 +173,9 @@ test('seeds, and the formats of data sets', async (t) => {
 
   await t.test('seeds.csv', async () => {
     await page.ask('export', { format: 'seeds', file: 'out' });
-    const [head, ...rows] = readFileSync(join(folder, 'out.seeds.csv'), 'utf8').trim().split('\n');
+    const [head, ...rows] = readFileSync(join(folder, 'out.seeds.csv'), 'utf8')
+      .trim()
+      .split('\n');
     assert.equal(head, 'index,x,y,z,label');
     const seeds = replica.summary.seeds;
     assert.equal(rows.length, seeds.length);
@@ -146,54 +184,94 @@ test('seeds, and the formats of data sets', async (t) => {
       const inspected = await page.ask('inspect', { place: seeds[k].place });
       assert.equal(Number(index), inspected.index);
       assert.equal(label, seeds[k].label === null ? '' : String(seeds[k].label));
-      [x, y, z].forEach((v, j) => assert.ok(Math.abs(Number(v) - inspected.position[j]) < 1e-5));
+      [x, y, z].forEach((v, j) =>
+        assert.ok(Math.abs(Number(v) - inspected.position[j]) < 1e-5),
+      );
     }
   });
 
   await t.test('s3dis', async () => {
     const { files } = await page.ask('export', { format: 's3dis', file: 'room_1' });
-    assert.deepEqual(files.map((file) => basename(file)), ['room_1']);
+    assert.deepEqual(
+      files.map((file) => basename(file)),
+      ['room_1'],
+    );
     const lines = (path) => readFileSync(join(folder, path), 'utf8').trim().split('\n');
     const finite = fields.x[1].filter((v) => !Number.isNaN(v)).length;
     assert.equal(lines('room_1/room_1.txt').length, finite);
     const annotations = readdirSync(join(folder, 'room_1/Annotations'));
-    assert.deepEqual(annotations.filter((name) => name.startsWith('chair')), ['chair_1.txt']);
-    for (const [name, label] of [['chair_1.txt', 1], ['wall_1.txt', 3]])
+    assert.deepEqual(
+      annotations.filter((name) => name.startsWith('chair')),
+      ['chair_1.txt'],
+    );
+    for (const [name, label] of [
+      ['chair_1.txt', 1],
+      ['wall_1.txt', 3],
+    ])
       assert.equal(
         lines(`room_1/Annotations/${name}`).length,
         labels.filter((each) => each === label).length,
       );
   });
 
-  await t.test('scannet makes its folder', async () => {
-    await rename('table');
-    await page.ask('export', { format: 'scannet', file: 'new_scene' });
-    assert.ok(existsSync(join(folder, 'new_scene')));
-  });
+  await t.test(
+    'scannet makes its folder',
+    async () => {
+      await rename('table');
+      await page.ask('export', { format: 'scannet', file: 'new_scene' });
+      assert.ok(existsSync(join(folder, 'new_scene')));
+    },
+  );
 
   await t.test('scannet', async () => {
     await rename('Tür "ä"');
-    await assertRefused(page.ask('export', { format: 'scannet', file: 'scene' }), /Tür/);
+    await assertRefused(
+      page.ask('export', { format: 'scannet', file: 'scene' }),
+      /Tür/,
+    );
     assert.equal(existsSync(join(folder, 'scene')), false);
     await rename('');
-    await assertRefused(page.ask('export', { format: 'scannet', file: 'scene' }), /class/);
+    await assertRefused(
+      page.ask('export', { format: 'scannet', file: 'scene' }),
+      /class/,
+    );
     await rename('table');
     mkdirSync(join(folder, 'scene'));
     const { files } = await page.ask('export', { format: 'scannet', file: 'scene' });
-    assert.deepEqual(files.map((file) => basename(file)), ['scene']);
+    assert.deepEqual(
+      files.map((file) => basename(file)),
+      ['scene'],
+    );
     const all = readdirSync(join(folder, 'scene'), { recursive: true });
-    assert.ok(all.some((name) => /aggregation\.json$/.test(name)), `${all}`);
+    assert.ok(
+      all.some((name) => /aggregation\.json$/.test(name)),
+      `${all}`,
+    );
     const segments = all.find((name) => /segs\.json$/.test(name));
-    const { segIndices } = JSON.parse(readFileSync(join(folder, 'scene', segments), 'utf8'));
+    const { segIndices } = JSON.parse(
+      readFileSync(join(folder, 'scene', segments), 'utf8'),
+    );
     assert.equal(segIndices.length, COUNT);
     const aggregation = JSON.parse(
-      readFileSync(join(folder, 'scene', all.find((name) => /aggregation\.json$/.test(name))), 'utf8'),
+      readFileSync(
+        join(
+          folder,
+          'scene',
+          all.find((name) => /aggregation\.json$/.test(name)),
+        ),
+        'utf8',
+      ),
     );
-    assert.deepEqual(aggregation.segGroups.map(({ label }) => label), ['chair', 'table', 'wall']);
+    assert.deepEqual(
+      aggregation.segGroups.map(({ label }) => label),
+      ['chair', 'table', 'wall'],
+    );
     // The points of the segments of an instance are those of the instance.
     for (const [k, group] of aggregation.segGroups.entries()) {
       const own = new Set(group.segments);
-      segIndices.forEach((segment, i) => assert.equal(own.has(segment), labels[i] === k + 1, `point ${i}`));
+      segIndices.forEach((segment, i) =>
+        assert.equal(own.has(segment), labels[i] === k + 1, `point ${i}`),
+      );
     }
   });
 
@@ -207,8 +285,11 @@ test('seeds, and the formats of data sets', async (t) => {
   await t.test('again, over what was exported before', async () => {
     mkdirSync(join(folder, 'again_scannet'));
     for (const format of ['pcd', 'ply', 'seeds', 's3dis', 'scannet', 'kitti'])
-      for (let k = 0; k < 2; ++k) await page.ask('export', { format, file: `again_${format}` });
-    const hidden = readdirSync(folder, { recursive: true }).filter((name) => basename(name).startsWith('.'));
+      for (let k = 0; k < 2; ++k)
+        await page.ask('export', { format, file: `again_${format}` });
+    const hidden = readdirSync(folder, { recursive: true }).filter((name) =>
+      basename(name).startsWith('.'),
+    );
     assert.deepEqual(hidden, []);
   });
 });
@@ -234,7 +315,12 @@ test('what may not be written is refused, and nothing is changed', async (t) => 
   mkdirSync(join(folder, 'dir.pcd'));
   // A session whose name an export could have.
   const session = join(folder, 'work.label');
-  const { program, page, replica } = await labelled(t, scan, ['--seeds', '6', '--session', session]);
+  const { program, page, replica } = await labelled(t, scan, [
+    '--seeds',
+    '6',
+    '--session',
+    session,
+  ]);
   const before = contentsOf(parent);
 
   const refused = {
@@ -266,12 +352,16 @@ test('what may not be written is refused, and nothing is changed', async (t) => 
       assert.deepEqual(contentsOf(parent), before);
     });
 
-  await t.test('a name with a zero in it', async (t) => {
-    const names = ['file\0', 'new\0x'];
-    for (const file of names) await assertRefused(page.ask('export', { format: 'pcd', file }));
-    assert.deepEqual(contentsOf(parent), before);
-    t.diagnostic('nothing was written');
-  });
+  await t.test(
+    'a name with a zero in it',
+    async (t) => {
+      const names = ['file\0', 'new\0x'];
+      for (const file of names)
+        await assertRefused(page.ask('export', { format: 'pcd', file }));
+      assert.deepEqual(contentsOf(parent), before);
+      t.diagnostic('nothing was written');
+    },
+  );
 
   await t.test('the session goes on', async () => {
     assertSameSession((await stateOf(page)).content, replica.content);
@@ -317,7 +407,7 @@ test('a folder in which nobody may write any more', async (t) => {
   writePcd(scan, fieldsOfTest());
   const program = await start(t, [scan, '--seeds', '5'], { isUnprivileged: true });
   const page = await program.connect();
-  await page.ask('state'); // the questions are on the disk
+  await page.ask('state'); // its first questions are in its file
   chmodSync(folder, 0o555);
   const before = contentsOf(folder);
   for (const format of ['pcd', 's3dis', 'kitti', 'seeds'])

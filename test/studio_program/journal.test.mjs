@@ -19,7 +19,8 @@ import { RandomActions, assertSameSession, stateOf } from './session_checks.mjs'
 const KILLS = Number(process.env.STUDIO_TEST_KILLS ?? 12);
 const SEED = Number(process.env.STUDIO_TEST_SEED ?? 3);
 
-const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const pause = (milliseconds) =>
+  new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 test(`${KILLS} kills`, async (t) => {
   const random = randomNumbers(SEED);
@@ -71,7 +72,11 @@ test(`${KILLS} kills`, async (t) => {
     await program.kill();
     await within(answered, 'the end of the socket');
     if (replica.summary.revision > revision) open = null; // it was answered after all
-    known = { ...replica.content, labels: replica.labels.slice(), groups: replica.groups.slice() };
+    known = {
+      ...replica.content,
+      labels: replica.labels.slice(),
+      groups: replica.groups.slice(),
+    };
   }
   t.diagnostic(`unanswered actions: ${seen.kept} are there, ${seen.lost} are not`);
 });
@@ -84,8 +89,15 @@ async function requireOneMore(page, replica, known, word) {
   const [there, back] = word === 'undo' ? ['undo', 'redo'] : ['redo', 'undo'];
   const step = word === 'undo' ? -1 : 1;
   assert.equal(replica.summary.undo, known.undo + step);
-  assert.equal(replica.summary.redo, word === 'redo' || word === 'undo' ? known.redo - step : 0);
-  const after = { ...replica.content, labels: replica.labels.slice(), groups: replica.groups.slice() };
+  assert.equal(
+    replica.summary.redo,
+    word === 'redo' || word === 'undo' ? known.redo - step : 0,
+  );
+  const after = {
+    ...replica.content,
+    labels: replica.labels.slice(),
+    groups: replica.groups.slice(),
+  };
   replica.apply(await page.do(back));
   assertSameSession(replica.content, known, { exact: false });
   replica.apply(await page.do(there));

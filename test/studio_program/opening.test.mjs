@@ -10,9 +10,31 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Page, Replica, encode, sampleScan, start, temporaryFolder, truthOfSample, within } from './client.mjs';
-import { randomNumbers, readPcd, smallRoom, writePcd, writePositions } from './clouds.mjs';
-import { RandomActions, assertConsistent, assertRefused, assertSameSession, assertSentence, stateOf } from './session_checks.mjs';
+import {
+  Page,
+  Replica,
+  encode,
+  sampleScan,
+  start,
+  temporaryFolder,
+  truthOfSample,
+  within,
+} from './client.mjs';
+import {
+  randomNumbers,
+  readPcd,
+  smallRoom,
+  writePcd,
+  writePositions,
+} from './clouds.mjs';
+import {
+  RandomActions,
+  assertConsistent,
+  assertRefused,
+  assertSameSession,
+  assertSentence,
+  stateOf,
+} from './session_checks.mjs';
 
 test('the sample scan is served and asked about', async (t) => {
   const scan = sampleScan(t);
@@ -53,7 +75,10 @@ test('the sample scan is served and asked about', async (t) => {
     const positions = await program.positions();
     // Each eighth of the room has its share of the first places.
     const corner = (place) =>
-      [0, 1, 2].reduce((sum, axis) => sum + (positions[3 * place + axis] > 0 ? 1 << axis : 0), 0);
+      [0, 1, 2].reduce(
+        (sum, axis) => sum + (positions[3 * place + axis] > 0 ? 1 << axis : 0),
+        0,
+      );
     const share = (count) => {
       const shares = new Array(8).fill(0);
       for (let place = 0; place < count; ++place) shares[corner(place)] += 1 / count;
@@ -89,7 +114,11 @@ test('the sample scan is served and asked about', async (t) => {
     let after = null;
     for (const seed of expected) {
       const { question, left, arrays } = await page.ask('question', { after });
-      assert.deepEqual(question, { seed: seed.key, place: seed.place, size: seed.size });
+      assert.deepEqual(question, {
+        seed: seed.key,
+        place: seed.place,
+        size: seed.size,
+      });
       assert.equal(left, 20);
       assert.equal(arrays.places.length, seed.size);
       assert.ok(arrays.places.every((place) => content.groups[place] === seed.key));
@@ -101,7 +130,11 @@ test('the sample scan is served and asked about', async (t) => {
   await t.test('an answer labels the group of the question', async () => {
     const replica = await stateOf(page);
     const { question, arrays } = await page.ask('question', { after: null });
-    const answer = await page.do('answer', { seed: question.seed, class: 'wall', name: 'north' });
+    const answer = await page.do('answer', {
+      seed: question.seed,
+      class: 'wall',
+      name: 'north',
+    });
     assert.deepEqual(replica.apply(answer), []);
     assert.deepEqual([...answer.arrays.places].sort(), [...arrays.places].sort());
     assert.deepEqual(answer.instances, [
@@ -116,14 +149,17 @@ test('the sample scan is served and asked about', async (t) => {
     assert.notEqual(next.question.seed, question.seed);
   });
 
-  await t.test('when no question is left after one, `left` still tells how many there are', async () => {
-    const { content } = await stateOf(page);
-    const questions = content.seeds.filter((seed) => seed.label === null);
-    const last = questions.sort((a, b) => a.size - b.size).at(0);
-    const { question, left } = await page.ask('question', { after: last.key });
-    assert.equal(question, null);
-    assert.equal(left, questions.length);
-  });
+  await t.test(
+    'when no question is left after one, `left` still tells how many there are',
+    async () => {
+      const { content } = await stateOf(page);
+      const questions = content.seeds.filter((seed) => seed.label === null);
+      const last = questions.sort((a, b) => a.size - b.size).at(0);
+      const { question, left } = await page.ask('question', { after: last.key });
+      assert.equal(question, null);
+      assert.equal(left, questions.length);
+    },
+  );
 
   await t.test('random actions on the sample scan', async () => {
     await actRandomly(page, 60, 11);
@@ -200,5 +236,6 @@ async function actRandomly(page, count, seed) {
       throw error;
     }
   }
-  for (const [id, answers] of page.answers) assert.equal(answers, 1, `answers to ${id}`);
+  for (const [id, answers] of page.answers)
+    assert.equal(answers, 1, `answers to ${id}`);
 }

@@ -9,21 +9,41 @@
 
 import assert from 'node:assert/strict';
 import {
-  appendFileSync, chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync,
+  appendFileSync,
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  writeFileSync,
 } from 'node:fs';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Program, runToEnd, sampleScan, start, temporaryFolder, until } from './client.mjs';
+import {
+  Program,
+  runToEnd,
+  sampleScan,
+  start,
+  temporaryFolder,
+  until,
+} from './client.mjs';
 import { readPcd, smallRoom, writePcd, writePositions } from './clouds.mjs';
-import { assertConsistent, assertSameSession, assertSentence, stateOf } from './session_checks.mjs';
+import {
+  assertConsistent,
+  assertSameSession,
+  assertSentence,
+  stateOf,
+} from './session_checks.mjs';
 
 /** The program ends with 1 and one sentence that says what is wrong. */
 async function assertEnds(t, args, pattern, options) {
   const { code, signal, stderr } = await runToEnd(t, args, options);
   assert.equal(signal, null, stderr);
   assert.equal(code, 1, stderr);
-  const lines = stderr.trim().split('\n').filter((line) => line.startsWith('pcl_cid_studio: '));
+  const lines = stderr
+    .trim()
+    .split('\n')
+    .filter((line) => line.startsWith('pcl_cid_studio: '));
   assert.equal(lines.length, 1, stderr);
   assertSentence(lines[0]);
   assert.match(lines[0], pattern);
@@ -42,7 +62,13 @@ async function withSession(t) {
   replica.apply(await page.do('click', { place: 3, class: 'chair', name: 'a' }));
   replica.apply(await page.do('click', { place: 9, label: 1 }));
   await program.interrupt();
-  return { folder, scan, cloud, session: join(folder, 'small.session'), content: replica.content };
+  return {
+    folder,
+    scan,
+    cloud,
+    session: join(folder, 'small.session'),
+    content: replica.content,
+  };
 }
 
 async function contentOf(t, args) {
@@ -73,14 +99,25 @@ test('sessions', async (t) => {
     assert.equal(readFileSync(session, 'utf8'), text);
   });
 
-  await t.test('of the same points in a file with another name and layout is opened', async () => {
-    const fields = { intensity: ['F4', cloud.x], x: ['F4', cloud.x], y: ['F4', cloud.y], z: ['F4', cloud.z] };
-    writePcd(other, fields, { data: 'ascii' });
-    assertSameSession(await contentOf(t, [other, '--session', session]), content);
-  });
+  await t.test(
+    'of the same points in a file with another name and layout is opened',
+    async () => {
+      const fields = {
+        intensity: ['F4', cloud.x],
+        x: ['F4', cloud.x],
+        y: ['F4', cloud.y],
+        z: ['F4', cloud.z],
+      };
+      writePcd(other, fields, { data: 'ascii' });
+      assertSameSession(await contentOf(t, [other, '--session', session]), content);
+    },
+  );
 
   await t.test('the settings of the session are those that count', async () => {
-    assertSameSession(await contentOf(t, [scan, '--samples', '20', '--normals', '0']), content);
+    assertSameSession(
+      await contentOf(t, [scan, '--samples', '20', '--normals', '0']),
+      content,
+    );
   });
 
   await t.test('a torn last line loses itself alone', async () => {
@@ -163,13 +200,17 @@ test('sessions', async (t) => {
     writePositions(join(locked, 'a.pcd'), cloud);
     chmodSync(folder, 0o755);
     chmodSync(locked, 0o555);
-    await assertEnds(t, [join(locked, 'a.pcd')], /a\.session.*[Pp]ermission/, { isUnprivileged: true });
+    await assertEnds(t, [join(locked, 'a.pcd')], /a\.session.*[Pp]ermission/, {
+      isUnprivileged: true,
+    });
     chmodSync(locked, 0o755);
   });
 
   await t.test('a session that may only be read is refused', async () => {
     chmodSync(session, 0o444);
-    await assertEnds(t, [scan], /small\.session.*[Pp]ermission/, { isUnprivileged: true });
+    await assertEnds(t, [scan], /small\.session.*[Pp]ermission/, {
+      isUnprivileged: true,
+    });
     chmodSync(session, 0o644);
   });
 
@@ -195,7 +236,14 @@ test('scans that cannot be labelled', async (t) => {
   });
 
   await t.test('no usage', async () => {
-    for (const args of [[], ['--dance', 'a.pcd'], ['a.pcd', 'b.pcd'], ['a.pcd', '--port', '70000'], ['a.pcd', '--up', 'w'], ['a.pcd', '--seeds', '0']]) {
+    for (const args of [
+      [],
+      ['--dance', 'a.pcd'],
+      ['a.pcd', 'b.pcd'],
+      ['a.pcd', '--port', '70000'],
+      ['a.pcd', '--up', 'w'],
+      ['a.pcd', '--seeds', '0'],
+    ]) {
       const { code, stderr } = await runToEnd(t, args);
       assert.ok(code === 1 || code === 2, `${args}: ${code}`);
       assert.match(stderr, /^pcl_cid_studio: .+\n$/);
@@ -224,7 +272,8 @@ test('small scans', async (t) => {
     const replica = await stateOf(page);
     assert.equal(replica.labels.length, 3);
     assertConsistent(replica.content);
-    for (const place of [0, 1, 2]) replica.apply(await page.do('click', { place, class: `${place}` }));
+    for (const place of [0, 1, 2])
+      replica.apply(await page.do('click', { place, class: `${place}` }));
     assertConsistent(replica.content);
     assert.deepEqual([...replica.labels], [1, 2, 3]);
     for (const word of ['doubt', 'state']) await page.ask(word);
@@ -235,7 +284,11 @@ test('small scans', async (t) => {
 
   await t.test('1 point, and 20 in one place', async () => {
     writePositions(path('one.pcd'), { x: [5], y: [6], z: [7] });
-    writePositions(path('same.pcd'), { x: Array(20).fill(1), y: Array(20).fill(2), z: Array(20).fill(3) });
+    writePositions(path('same.pcd'), {
+      x: Array(20).fill(1),
+      y: Array(20).fill(2),
+      z: Array(20).fill(3),
+    });
     for (const name of ['one.pcd', 'same.pcd']) {
       const program = await start(t, [path(name)]);
       const page = await program.connect();
@@ -252,7 +305,8 @@ test('an organized scan with NaN', async (t) => {
   const scan = join(temporaryFolder(t), 'organized.pcd');
   const cloud = smallRoom(1200);
   const isHole = (i) => i % 7 === 3;
-  for (const axis of ['x', 'y', 'z']) cloud[axis] = cloud[axis].map((v, i) => (isHole(i) ? NaN : v));
+  for (const axis of ['x', 'y', 'z'])
+    cloud[axis] = cloud[axis].map((v, i) => (isHole(i) ? NaN : v));
   cloud.z[12] = Infinity;
   writePositions(scan, cloud, { width: 40, height: 30 });
   const finite = cloud.x.filter((v, i) => !isHole(i) && i !== 12).length;
@@ -272,7 +326,9 @@ test('an organized scan with NaN', async (t) => {
     const { index, position } = await page.ask('inspect', { place });
     assert.ok(!isHole(index) && index !== 12 && !seen.has(index));
     seen.add(index);
-    ['x', 'y', 'z'].forEach((axis, k) => assert.ok(Math.abs(position[k] - cloud[axis][index]) < 1e-5));
+    ['x', 'y', 'z'].forEach((axis, k) =>
+      assert.ok(Math.abs(position[k] - cloud[axis][index]) < 1e-5),
+    );
   }
   replica.apply(await page.do('click', { place: 3, class: 'a' }));
   const all = Uint32Array.from({ length: finite }, (_, place) => place);
@@ -288,29 +344,42 @@ test('a scan in UTM coordinates, as double', async (t) => {
   const cloud = smallRoom(1500);
   const shift = { x: 448262.125, y: 5411932.25, z: 117.5 };
   const file = {};
-  for (const axis of ['x', 'y', 'z']) file[axis] = cloud[axis].map((v) => v + shift[axis]);
+  for (const axis of ['x', 'y', 'z'])
+    file[axis] = cloud[axis].map((v) => v + shift[axis]);
   writePcd(scan, { x: ['F8', file.x], y: ['F8', file.y], z: ['F8', file.z] });
   const program = await start(t, [scan, '--seeds', '5']);
   const facts = await program.scan();
   const positions = await program.positions();
-  assert.ok(positions.every((v) => Math.abs(v) < 10), 'positions are local');
+  assert.ok(
+    positions.every((v) => Math.abs(v) < 10),
+    'positions are local',
+  );
   const page = await program.connect();
   for (let place = 0; place < facts.places; place += 50) {
     const { index, position } = await page.ask('inspect', { place });
     ['x', 'y', 'z'].forEach((axis, k) => {
-      assert.ok(Math.abs(positions[3 * place + k] + facts.origin[k] - file[axis][index]) < 2e-6);
+      assert.ok(
+        Math.abs(positions[3 * place + k] + facts.origin[k] - file[axis][index]) < 2e-6,
+      );
       assert.ok(Math.abs(position[k] - file[axis][index]) < 2e-6);
     });
   }
   // The same points without the shift are in the same order of places.
-  facts.low.forEach((low, k) => assert.ok(low <= positions[k] && positions[k] <= facts.high[k]));
+  facts.low.forEach((low, k) =>
+    assert.ok(low <= positions[k] && positions[k] <= facts.high[k]),
+  );
 });
 
 test('colors are those of the places', async (t) => {
   const scan = join(temporaryFolder(t), 'color.pcd');
   const cloud = smallRoom(500);
   const rgb = cloud.x.map((_, i) => ((i % 251) << 16) | ((i % 13) << 8) | (i % 7));
-  writePcd(scan, { x: ['F4', cloud.x], y: ['F4', cloud.y], z: ['F4', cloud.z], rgb: ['U4', rgb] });
+  writePcd(scan, {
+    x: ['F4', cloud.x],
+    y: ['F4', cloud.y],
+    z: ['F4', cloud.z],
+    rgb: ['U4', rgb],
+  });
   const program = await start(t, [scan, '--seeds', '5']);
   assert.equal((await program.scan()).has_color, true);
   const { status, body } = await program.get('/api/colors');
@@ -319,7 +388,10 @@ test('colors are those of the places', async (t) => {
   const page = await program.connect();
   for (let place = 0; place < 500; place += 9) {
     const { index } = await page.ask('inspect', { place });
-    assert.deepEqual([...body.subarray(3 * place, 3 * place + 3)], [index % 251, index % 13, index % 7]);
+    assert.deepEqual(
+      [...body.subarray(3 * place, 3 * place + 3)],
+      [index % 251, index % 13, index % 7],
+    );
   }
 });
 
@@ -329,22 +401,36 @@ test('ports, pages and classes', async (t) => {
   const session = join(folder, 'small.session');
   writePositions(scan, smallRoom(800));
 
-  await t.test('a port in use is refused, and the session can be begun later', async () => {
-    const taken = createServer().listen(0, '127.0.0.1');
-    await until(() => taken.listening, 'a port');
-    const { port } = taken.address();
-    await assertEnds(t, [scan, '--port', String(port)], new RegExp(`${port}.*in use`));
-    taken.close();
-    const content = await contentOf(t, [scan, '--seeds', '5']);
-    assert.equal(content.seeds.length, 5);
-  });
+  await t.test(
+    'a port in use is refused, and the session can be begun later',
+    async () => {
+      const taken = createServer().listen(0, '127.0.0.1');
+      await until(() => taken.listening, 'a port');
+      const { port } = taken.address();
+      await assertEnds(
+        t,
+        [scan, '--port', String(port)],
+        new RegExp(`${port}.*in use`),
+      );
+      taken.close();
+      const content = await contentOf(t, [scan, '--seeds', '5']);
+      assert.equal(content.seeds.length, 5);
+    },
+  );
 
-  await t.test('a folder without a page is refused before anything is made', async () => {
-    const fresh = join(folder, 'fresh.session');
-    await assertEnds(t, [scan, '--session', fresh, '--page', folder], /index\.html/);
-    await assertEnds(t, [scan, '--session', fresh, '--page', join(folder, 'none')], /--page/);
-    assert.equal(existsSync(fresh), false);
-  });
+  await t.test(
+    'a folder without a page is refused before anything is made',
+    async () => {
+      const fresh = join(folder, 'fresh.session');
+      await assertEnds(t, [scan, '--session', fresh, '--page', folder], /index\.html/);
+      await assertEnds(
+        t,
+        [scan, '--session', fresh, '--page', join(folder, 'none')],
+        /--page/,
+      );
+      assert.equal(existsSync(fresh), false);
+    },
+  );
 
   await t.test('a page from a folder is served', async () => {
     const page = join(folder, 'page');
@@ -352,27 +438,39 @@ test('ports, pages and classes', async (t) => {
     writeFileSync(join(page, 'index.html'), '<p>hello</p>');
     const program = await start(t, [scan, '--page', page]);
     assert.equal((await program.get('/')).body.toString(), '<p>hello</p>');
-    for (const path of ['/../small.pcd', '/%2e%2e/small.pcd', '/..%2fsmall.pcd', '/none'])
+    for (const path of [
+      '/../small.pcd',
+      '/%2e%2e/small.pcd',
+      '/..%2fsmall.pcd',
+      '/none',
+    ])
       assert.notEqual((await program.get(path)).status, 200, path);
     await program.interrupt();
   });
 
-  await t.test('classes come in their order; twice the same, or none, is refused', async () => {
-    const classes = join(folder, 'classes.txt');
-    writeFileSync(classes, 'Stuhl\r\nTür  \n\n椅子\n');
-    const program = await start(t, [scan, '--classes', classes]);
-    assert.deepEqual((await program.scan()).classes, [{ name: 'Stuhl' }, { name: 'Tür' }, { name: '椅子' }]);
-    await program.interrupt();
-    writeFileSync(classes, 'chair\ntable\nchair\n');
-    await assertEnds(t, [scan, '--classes', classes], /line 3.*chair/);
-    writeFileSync(classes, '\n\n');
-    await assertEnds(t, [scan, '--classes', classes], /class/);
-    await assertEnds(t, [scan, '--classes', join(folder, 'none')], /none/);
-    writeFileSync(classes, Buffer.from([0xff, 0xfe, 0x41, 0x0a]));
-    const strange = await start(t, [scan, '--classes', classes]);
-    assert.equal((await strange.scan()).classes.length, 1);
-    assert.ok(existsSync(session));
-  });
+  await t.test(
+    'classes come in their order; twice the same, or none, is refused',
+    async () => {
+      const classes = join(folder, 'classes.txt');
+      writeFileSync(classes, 'Stuhl\r\nTür  \n\n椅子\n');
+      const program = await start(t, [scan, '--classes', classes]);
+      assert.deepEqual((await program.scan()).classes, [
+        { name: 'Stuhl' },
+        { name: 'Tür' },
+        { name: '椅子' },
+      ]);
+      await program.interrupt();
+      writeFileSync(classes, 'chair\ntable\nchair\n');
+      await assertEnds(t, [scan, '--classes', classes], /line 3.*chair/);
+      writeFileSync(classes, '\n\n');
+      await assertEnds(t, [scan, '--classes', classes], /class/);
+      await assertEnds(t, [scan, '--classes', join(folder, 'none')], /none/);
+      writeFileSync(classes, Buffer.from([0xff, 0xfe, 0x41, 0x0a]));
+      const strange = await start(t, [scan, '--classes', classes]);
+      assert.equal((await strange.scan()).classes.length, 1);
+      assert.ok(existsSync(session));
+    },
+  );
 });
 
 /** The labels of a state by the points of the file. */
@@ -388,95 +486,168 @@ async function labelsByPoint(page, count) {
 }
 
 test('labels that were given elsewhere', async (t) => {
-  await t.test('a field of the sample scan: equal afterwards, to the point', async () => {
-    const scan = sampleScan(t);
-    const { fields } = readPcd(scan);
-    const program = await start(t, [scan, '--import', 'label', '--classes', 's3dis', '--seeds', '30']);
-    const page = await program.connect();
-    const replica = await stateOf(page);
-    const { files } = await page.ask('export', { format: 'pcd', file: 'imported' });
-    assert.ok(files[0].endsWith('imported.pcd'), files[0]);
-    const imported = readPcd(join(scan, '../imported.pcd')).fields.label[1];
-    assert.deepEqual(imported, fields.label[1]);
-    const classes = (await program.scan()).classes.map(({ name }) => name);
-    const sizes = new Map();
-    fields.label[1].forEach((label) => sizes.set(label, (sizes.get(label) ?? 0) + 1));
-    assert.equal(replica.summary.instances.length, sizes.size);
-    for (const instance of replica.summary.instances) {
-      assert.equal(instance.size, sizes.get(instance.label));
-      const at = fields.label[1].indexOf(instance.label);
-      assert.equal(instance.class, classes[fields.semantic[1][at] - 1]);
-    }
-    const { content } = replica;
-    await program.interrupt();
-    assertSameSession(await contentOf(t, [scan]), content);
-  });
+  await t.test(
+    'a field of the sample scan: equal afterwards, to the point',
+    async () => {
+      const scan = sampleScan(t);
+      const { fields } = readPcd(scan);
+      const program = await start(t, [
+        scan,
+        '--import',
+        'label',
+        '--classes',
+        's3dis',
+        '--seeds',
+        '30',
+      ]);
+      const page = await program.connect();
+      const replica = await stateOf(page);
+      const { files } = await page.ask('export', { format: 'pcd', file: 'imported' });
+      assert.ok(files[0].endsWith('imported.pcd'), files[0]);
+      const imported = readPcd(join(scan, '../imported.pcd')).fields.label[1];
+      assert.deepEqual(imported, fields.label[1]);
+      const classes = (await program.scan()).classes.map(({ name }) => name);
+      const sizes = new Map();
+      fields.label[1].forEach((label) => sizes.set(label, (sizes.get(label) ?? 0) + 1));
+      assert.equal(replica.summary.instances.length, sizes.size);
+      for (const instance of replica.summary.instances) {
+        assert.equal(instance.size, sizes.get(instance.label));
+        const at = fields.label[1].indexOf(instance.label);
+        assert.equal(instance.class, classes[fields.semantic[1][at] - 1]);
+      }
+      const { content } = replica;
+      await program.interrupt();
+      assertSameSession(await contentOf(t, [scan]), content);
+    },
+  );
 
   await t.test('fields of strange numbers', async () => {
     const folder = temporaryFolder(t);
     const cloud = smallRoom(600);
     const write = (name, type, labels) => {
       const scan = join(folder, name);
-      writePcd(scan, { x: ['F4', cloud.x], y: ['F4', cloud.y], z: ['F4', cloud.z], mark: [type, labels] });
+      writePcd(scan, {
+        x: ['F4', cloud.x],
+        y: ['F4', cloud.y],
+        z: ['F4', cloud.z],
+        mark: [type, labels],
+      });
       return scan;
     };
     const some = cloud.x.map((x) => (x < 1 ? 7 : x < 2 ? 0 : 200));
     for (const type of ['U1', 'U2', 'I4', 'U4', 'F4']) {
-      const program = await start(t, [write(`${type}.pcd`, type, some), '--import', 'mark', '--seeds', '4']);
+      const program = await start(t, [
+        write(`${type}.pcd`, type, some),
+        '--import',
+        'mark',
+        '--seeds',
+        '4',
+      ]);
       assert.deepEqual(await labelsByPoint(await program.connect(), 600), some, type);
       await program.interrupt();
     }
     const high = cloud.x.map((x) => (x < 1 ? 0xfffffffd : 3));
-    const program = await start(t, [write('high.pcd', 'U4', high), '--import', 'mark', '--seeds', '4']);
+    const program = await start(t, [
+      write('high.pcd', 'U4', high),
+      '--import',
+      'mark',
+      '--seeds',
+      '4',
+    ]);
     assert.deepEqual(await labelsByPoint(await program.connect(), 600), high);
     await program.interrupt();
     const none = cloud.x.map((x) => (x < 1 ? 1 : -1)); // as others write no label
-    const minus = await start(t, [write('minus.pcd', 'I4', none), '--import', 'mark', '--seeds', '4']);
-    assert.deepEqual(await labelsByPoint(await minus.connect(), 600), none.map((label) => Math.max(label, 0)));
+    const minus = await start(t, [
+      write('minus.pcd', 'I4', none),
+      '--import',
+      'mark',
+      '--seeds',
+      '4',
+    ]);
+    assert.deepEqual(
+      await labelsByPoint(await minus.connect(), 600),
+      none.map((label) => Math.max(label, 0)),
+    );
     await minus.interrupt();
     const half = cloud.x.map((x) => (x < 1 ? 1 : 0.5));
-    await assertEnds(t, [write('half.pcd', 'F4', half), '--import', 'mark', '--seeds', '4'], /0\.5/);
+    await assertEnds(
+      t,
+      [write('half.pcd', 'F4', half), '--import', 'mark', '--seeds', '4'],
+      /0\.5/,
+    );
     await assertEnds(t, [write('a.pcd', 'U4', some), '--import', 'none'], /none/);
-    await assertEnds(t, [write('a.pcd', 'U4', some), '--import', 'none.csv'], /none\.csv/);
+    await assertEnds(
+      t,
+      [write('a.pcd', 'U4', some), '--import', 'none.csv'],
+      /none\.csv/,
+    );
   });
 
-  await t.test('a label that is none of ours is refused before a session is begun', async () => {
-    const folder = temporaryFolder(t);
-    const scan = join(folder, 'most.pcd');
-    const cloud = smallRoom(600);
-    const labels = cloud.x.map((x) => (x < 1 ? 1 : 0xffffffff));
-    writePcd(scan, { x: ['F4', cloud.x], y: ['F4', cloud.y], z: ['F4', cloud.z], mark: ['U4', labels] });
-    await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
-    // The next try is not "begun already".
-    await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
-  });
+  await t.test(
+    'a label that is none of ours is refused before a session is begun',
+    async () => {
+      const folder = temporaryFolder(t);
+      const scan = join(folder, 'most.pcd');
+      const cloud = smallRoom(600);
+      const labels = cloud.x.map((x) => (x < 1 ? 1 : 0xffffffff));
+      writePcd(scan, {
+        x: ['F4', cloud.x],
+        y: ['F4', cloud.y],
+        z: ['F4', cloud.z],
+        mark: ['U4', labels],
+      });
+      await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
+      // The next try is not "begun already".
+      await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
+    },
+  );
 
-  await t.test('the same command goes on after an import', async () => {
-    const folder = temporaryFolder(t);
-    const scan = join(folder, 'a.pcd');
-    const cloud = smallRoom(600);
-    const mark = cloud.x.map((x) => (x < 1 ? 7 : 2));
-    writePcd(scan, { x: ['F4', cloud.x], y: ['F4', cloud.y], z: ['F4', cloud.z], mark: ['U4', mark] });
-    const args = [scan, '--import', 'mark', '--seeds', '4'];
-    const content = await contentOf(t, args);
-    assertSameSession(await contentOf(t, args), content);
-  });
+  await t.test(
+    'the same command goes on after an import',
+    async () => {
+      const folder = temporaryFolder(t);
+      const scan = join(folder, 'a.pcd');
+      const cloud = smallRoom(600);
+      const mark = cloud.x.map((x) => (x < 1 ? 7 : 2));
+      writePcd(scan, {
+        x: ['F4', cloud.x],
+        y: ['F4', cloud.y],
+        z: ['F4', cloud.z],
+        mark: ['U4', mark],
+      });
+      const args = [scan, '--import', 'mark', '--seeds', '4'];
+      const content = await contentOf(t, args);
+      assertSameSession(await contentOf(t, args), content);
+    },
+  );
 
-  await t.test('an import that was killed is not taken for a whole one', async () => {
-    const folder = temporaryFolder(t);
-    const scan = join(folder, 'a.pcd');
-    const cloud = smallRoom(4000);
-    const mark = cloud.x.map((_, i) => 1 + (i % 500));
-    writePcd(scan, { x: ['F4', cloud.x], y: ['F4', cloud.y], z: ['F4', cloud.z], mark: ['U4', mark] });
-    const args = [scan, '--import', 'mark', '--seeds', '4'];
-    const first = new Program(args);
-    t.after(() => first.kill());
-    const session = join(folder, 'a.session');
-    await until(() => existsSync(session) && readFileSync(session, 'utf8').split('\n').length > 6, 'a part');
-    await first.kill();
-    const program = await start(t, args);
-    assert.deepEqual(await labelsByPoint(await program.connect(), 4000), mark);
-  });
+  await t.test(
+    'an import that was killed is not taken for a whole one',
+    async () => {
+      const folder = temporaryFolder(t);
+      const scan = join(folder, 'a.pcd');
+      const cloud = smallRoom(4000);
+      const mark = cloud.x.map((_, i) => 1 + (i % 500));
+      writePcd(scan, {
+        x: ['F4', cloud.x],
+        y: ['F4', cloud.y],
+        z: ['F4', cloud.z],
+        mark: ['U4', mark],
+      });
+      const args = [scan, '--import', 'mark', '--seeds', '4'];
+      const first = new Program(args);
+      t.after(() => first.kill());
+      const session = join(folder, 'a.session');
+      await until(
+        () =>
+          existsSync(session) && readFileSync(session, 'utf8').split('\n').length > 6,
+        'a part',
+      );
+      await first.kill();
+      const program = await start(t, args);
+      assert.deepEqual(await labelsByPoint(await program.connect(), 4000), mark);
+    },
+  );
 
   await t.test('a table of seeds, which was exported', async () => {
     const folder = temporaryFolder(t);
@@ -498,6 +669,10 @@ test('labels that were given elsewhere', async (t) => {
     const bySeed = (a, b) => a.key - b.key;
     assert.deepEqual(imported.seeds.sort(bySeed), content.seeds.sort(bySeed));
     writeFileSync(table, 'hello\n1,2\n');
-    await assertEnds(t, [scan, '--session', join(folder, 'b.session'), '--import', table], /given\.seeds\.csv/);
+    await assertEnds(
+      t,
+      [scan, '--session', join(folder, 'b.session'), '--import', table],
+      /given\.seeds\.csv/,
+    );
   });
 });

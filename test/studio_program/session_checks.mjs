@@ -26,7 +26,8 @@ export function assertSameSession(actual, expected, { exact = true } = {}) {
   assertSameNumbers(labels, otherLabels, 'label');
   assertSameNumbers(groups, otherGroups, 'group');
   if (!exact)
-    for (const each of [rest, otherRest]) for (const word of ['revision', 'undo', 'redo']) delete each[word];
+    for (const each of [rest, otherRest])
+      for (const word of ['revision', 'undo', 'redo']) delete each[word];
   assert.deepEqual(rest, otherRest);
 }
 
@@ -37,9 +38,16 @@ function countOf(values) {
 }
 
 /** What the protocol says of a state; painted points may have any label. */
-export function assertConsistent({ labels, groups, seeds, instances, unlabeled }, painted = new Set()) {
+export function assertConsistent(
+  { labels, groups, seeds, instances, unlabeled },
+  painted = new Set(),
+) {
   const known = new Set([0, ...instances.map(({ label }) => label)]);
-  assert.equal(known.size, instances.length + 1, 'labels of instances are 1 and up, each once');
+  assert.equal(
+    known.size,
+    instances.length + 1,
+    'labels of instances are 1 and up, each once',
+  );
   const byKey = new Map(seeds.map((seed) => [seed.key, seed]));
   assert.equal(byKey.size, seeds.length, 'keys are there once');
   const groupSize = countOf(groups);
@@ -48,14 +56,22 @@ export function assertConsistent({ labels, groups, seeds, instances, unlabeled }
     assert.equal(seed.key, seed.place, 'the key of a seed is its place');
     assert.equal(groups[seed.place], seed.key, 'a seed is in its own group');
     assert.equal(seed.size, groupSize.get(seed.key), 'size of a group');
-    assert.ok(seed.label === null || known.has(seed.label), 'the label of a seed is there');
+    assert.ok(
+      seed.label === null || known.has(seed.label),
+      'the label of a seed is there',
+    );
   }
   for (const instance of instances)
-    assert.equal(instance.size, labelSize.get(instance.label) ?? 0, 'size of an instance');
+    assert.equal(
+      instance.size,
+      labelSize.get(instance.label) ?? 0,
+      'size of an instance',
+    );
   assert.equal(unlabeled, labelSize.get(0) ?? 0, 'places without a label');
   labels.forEach((label, place) => {
     const seed = byKey.get(groups[place]);
-    if (groups[place] !== NO_GROUP && !seed) assert.fail(`place ${place}: group without a seed`);
+    if (groups[place] !== NO_GROUP && !seed)
+      assert.fail(`place ${place}: group without a seed`);
     if (!painted.has(place) && label !== (seed?.label ?? 0))
       assert.fail(`place ${place}: label ${label}, its seed says ${seed?.label}`);
     if (!known.has(label)) assert.fail(`place ${place}: label ${label} is no instance`);
@@ -104,14 +120,20 @@ export class RandomActions {
   next(replica) {
     const { seeds, instances, undo, redo } = replica.summary;
     const places = replica.labels.length;
-    const label = () => (instances.length && this.#random() < 0.8 ? this.#of(instances).label : 0);
+    const label = () =>
+      instances.length && this.#random() < 0.8 ? this.#of(instances).label : 0;
     const answer = () =>
       this.#random() < 0.35
-        ? { class: this.#of(['', 'chair', 'Stühle', 'a "b"\\']), name: this.#of(['', 'n', '椅子']) }
+        ? {
+            class: this.#of(['', 'chair', 'Stühle', 'a "b"\\']),
+            name: this.#of(['', 'n', '椅子']),
+          }
         : { label: label() };
     const somePlaces = () => {
       const first = this.#number(places);
-      const list = Uint32Array.from({ length: 1 + this.#number(300) }, () => this.#number(places));
+      const list = Uint32Array.from({ length: 1 + this.#number(300) }, () =>
+        this.#number(places),
+      );
       list[0] = first;
       return { places: list };
     };
@@ -127,11 +149,15 @@ export class RandomActions {
       propose: () => [{ seeds: 1 + this.#number(3) }],
       answer: () => seeds.length && [{ seed: this.#of(seeds).key, ...answer() }],
       click: () => [{ place: this.#number(places), ...answer() }],
-      clickOnSeed: () => seeds.length && [{ place: this.#of(seeds).place, ...answer() }],
+      clickOnSeed: () =>
+        seeds.length && [{ place: this.#of(seeds).place, ...answer() }],
       remove: () => seeds.length && [{ seed: this.#of(seeds).key }],
       paint: () => [answer(), somePlaces()],
       unpaint: () => [{ label: null }, somePlaces()],
-      edit: () => instances.length && [{ label: this.#of(instances).label, class: 'k', name: `${this.#number(99)}` }],
+      edit: () =>
+        instances.length && [
+          { label: this.#of(instances).label, class: 'k', name: `${this.#number(99)}` },
+        ],
       merge: () => {
         if (instances.length < 2) return null;
         const from = this.#of(instances).label;
@@ -144,13 +170,50 @@ export class RandomActions {
       redo: () => redo > 0 && [{}],
     };
     const impossible = {
-      propose: () => this.#of([{ seeds: 0 }, { seeds: -1 }, { seeds: 2 ** 32 }, { seeds: places * 2 }, { seeds: '3' }, {}]),
-      answer: () => this.#of([{ seed: noSeed(), label: 0 }, { seed: 1e9, label: 0 }, { seed: seeds[0]?.key ?? 0, label: missing }, { seed: seeds[0]?.key ?? 0 }, { label: 0 }]),
-      click: () => this.#of([{ place: places, label: 0 }, { place: 0, label: missing }, { place: -1, label: 0 }, { place: 0.5, label: 0 }, { place: 0, label: 0, class: 'x' }, { place: 0, class: 7 }, { place: null, label: 0 }, { place: 0 }]),
+      propose: () =>
+        this.#of([
+          { seeds: 0 },
+          { seeds: -1 },
+          { seeds: 2 ** 32 },
+          { seeds: places * 2 },
+          { seeds: '3' },
+          {},
+        ]),
+      answer: () =>
+        this.#of([
+          { seed: noSeed(), label: 0 },
+          { seed: 1e9, label: 0 },
+          { seed: seeds[0]?.key ?? 0, label: missing },
+          { seed: seeds[0]?.key ?? 0 },
+          { label: 0 },
+        ]),
+      click: () =>
+        this.#of([
+          { place: places, label: 0 },
+          { place: 0, label: missing },
+          { place: -1, label: 0 },
+          { place: 0.5, label: 0 },
+          { place: 0, label: 0, class: 'x' },
+          { place: 0, class: 7 },
+          { place: null, label: 0 },
+          { place: 0 },
+        ]),
       remove: () => this.#of([{ seed: noSeed() }, { seed: places }, {}]),
-      paint: () => this.#of([{ label: 0 }, { label: missing }, { class: 'x', name: 3 }]),
-      edit: () => this.#of([{ label: missing, class: '', name: '' }, { label: 0, class: '', name: '' }, { label: 1 }]),
-      merge: () => this.#of([{ from: missing, into: missing }, { from: 0, into: instances[0]?.label ?? 1 }, { from: instances[0]?.label ?? 1, into: instances[0]?.label ?? 1 }, {}]),
+      paint: () =>
+        this.#of([{ label: 0 }, { label: missing }, { class: 'x', name: 3 }]),
+      edit: () =>
+        this.#of([
+          { label: missing, class: '', name: '' },
+          { label: 0, class: '', name: '' },
+          { label: 1 },
+        ]),
+      merge: () =>
+        this.#of([
+          { from: missing, into: missing },
+          { from: 0, into: instances[0]?.label ?? 1 },
+          { from: instances[0]?.label ?? 1, into: instances[0]?.label ?? 1 },
+          {},
+        ]),
       delete: () => this.#of([{ label: missing }, { label: 0 }, {}]),
       dance: () => ({}),
     };

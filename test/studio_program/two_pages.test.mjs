@@ -12,7 +12,13 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { runToEnd, sampleScan, start, temporaryFolder } from './client.mjs';
 import { randomNumbers, smallRoom, writePositions } from './clouds.mjs';
-import { RandomActions, assertRefused, assertSameSession, assertSentence, stateOf } from './session_checks.mjs';
+import {
+  RandomActions,
+  assertRefused,
+  assertSameSession,
+  assertSentence,
+  stateOf,
+} from './session_checks.mjs';
 
 function smallScan(t) {
   const scan = join(temporaryFolder(t), 'small.pcd');
@@ -62,22 +68,25 @@ test('a second page looks on, and works on when the first is gone', async (t) =>
     assert.equal(first.events.filter(isChange).length, 0);
   });
 
-  await t.test('the one that came first of those that are there is promoted', async () => {
-    const third = await program.connect();
-    await third.ask('state');
-    first.break();
-    const { header } = await second.event(isPromotion, 'a promotion');
-    assert.equal(header.writer, true);
-    assert.equal((await second.ask('state')).writer, true);
-    assert.equal((await third.ask('state')).writer, false);
-    await assertRefused(third.do('undo'), /page/);
-    onlooker.apply(await second.do('click', { place: 5, class: 'chair' }));
-    assertSameSession((await stateOf(third)).content, onlooker.content);
-    await second.close();
-    await third.event(isPromotion, 'a promotion');
-    await third.do('undo');
-    await third.close();
-  });
+  await t.test(
+    'the one that came first of those that are there is promoted',
+    async () => {
+      const third = await program.connect();
+      await third.ask('state');
+      first.break();
+      const { header } = await second.event(isPromotion, 'a promotion');
+      assert.equal(header.writer, true);
+      assert.equal((await second.ask('state')).writer, true);
+      assert.equal((await third.ask('state')).writer, false);
+      await assertRefused(third.do('undo'), /page/);
+      onlooker.apply(await second.do('click', { place: 5, class: 'chair' }));
+      assertSameSession((await stateOf(third)).content, onlooker.content);
+      await second.close();
+      await third.event(isPromotion, 'a promotion');
+      await third.do('undo');
+      await third.close();
+    },
+  );
 
   await t.test('who comes when nobody is there writes', async () => {
     const fourth = await program.connect();
@@ -86,34 +95,47 @@ test('a second page looks on, and works on when the first is gone', async (t) =>
   });
 });
 
-test('who is promoted amid a change knows that it writes', async (t) => {
-  const program = await start(t, [sampleScan(t), '--seeds', '4']);
-  const first = await program.connect();
-  const second = await program.connect();
-  const state = await second.ask('state');
-  assert.equal(state.writer, false);
-  // Long work: its progress is told, so the writer can go in the middle of it.
-  const seeds = 250;
-  first.do('propose', { seeds }).catch(() => {});
-  await first.event(({ header }) => header.event === 'progress' && header.id !== null, 'progress');
-  first.break();
-  await second.event(isPromotion, 'a promotion');
-  await second.event(isChange, 'the change');
-  const said = second.events.map(({ header }) => header.writer).filter((word) => word !== undefined);
-  assert.equal(said.at(-1), true, 'what was said last of who writes');
-});
+test(
+  'who is promoted amid a change knows that it writes',
+  async (t) => {
+    const program = await start(t, [sampleScan(t), '--seeds', '4']);
+    const first = await program.connect();
+    const second = await program.connect();
+    const state = await second.ask('state');
+    assert.equal(state.writer, false);
+    // Long work: its progress is told, so the writer can go in the middle of it.
+    const seeds = 250;
+    first.do('propose', { seeds }).catch(() => {});
+    await first.event(
+      ({ header }) => header.event === 'progress' && header.id !== null,
+      'progress',
+    );
+    first.break();
+    await second.event(isPromotion, 'a promotion');
+    await second.event(isChange, 'the change');
+    const said = second.events
+      .map(({ header }) => header.writer)
+      .filter((word) => word !== undefined);
+    assert.equal(said.at(-1), true, 'what was said last of who writes');
+  },
+);
 
-test('progress of what one page asks does not look like that of another', async (t) => {
-  const program = await start(t, [sampleScan(t), '--seeds', '4']);
-  const first = await program.connect();
-  const second = await program.connect();
-  await second.ask('state');
-  second.events.length = 0;
-  await first.do('propose', { seeds: 150 });
-  await second.event(isChange, 'the change');
-  const ids = second.events.map(({ header }) => header.id).filter((id) => typeof id === 'number');
-  assert.deepEqual(ids, []);
-});
+test(
+  'progress of what one page asks does not look like that of another',
+  async (t) => {
+    const program = await start(t, [sampleScan(t), '--seeds', '4']);
+    const first = await program.connect();
+    const second = await program.connect();
+    await second.ask('state');
+    second.events.length = 0;
+    await first.do('propose', { seeds: 150 });
+    await second.event(isChange, 'the change');
+    const ids = second.events
+      .map(({ header }) => header.id)
+      .filter((id) => typeof id === 'number');
+    assert.deepEqual(ids, []);
+  },
+);
 
 test('a second program on the session is refused, and the first goes on', async (t) => {
   const scan = smallScan(t);

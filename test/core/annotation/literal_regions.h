@@ -9,9 +9,9 @@
 
 #pragma once
 
-#include "session/inmost_point.h"
 #include "annotation/wrong_regions.h"
 #include "scan/nearest_neighbors.h"
+#include "session/inmost_point.h"
 
 #include <algorithm>
 #include <limits>

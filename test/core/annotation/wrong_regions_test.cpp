@@ -7,13 +7,13 @@
  * Neighbors, wrong regions and inmost points, against brute force.
  */
 
-#include "session/inmost_point.h"
-#include "session/radius_graph.h"
 #include "annotation/wrong_regions.h"
 #include "clouds.h"
 #include "literal_regions.h"
 #include "prepared_points.h"
 #include "scan/nearest_neighbors.h"
+#include "session/inmost_point.h"
+#include "session/radius_graph.h"
 
 #include <algorithm>
 #include <cmath>
