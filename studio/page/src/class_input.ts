@@ -33,6 +33,7 @@ export interface ClassInputOptions {
 }
 
 const MOST_SUGGESTIONS = 7;
+const MOST_MORE = 8;
 
 interface Suggestion {
   answer: Answer;
@@ -71,6 +72,7 @@ export class ClassInput {
     this.element.append(
       el('header', {}, el('h2', { text: title }), el('span', { class: 'context', text: context })),
       this.chips(),
+      this.moreChips() ?? '',
       el('div', { class: 'field-row' }, this.field, this.pickButton, this.list),
     );
     if (options.near.length > 0) this.element.append(this.nearRow());
@@ -111,11 +113,22 @@ export class ClassInput {
     return box;
   }
 
+  /** Classes for which there is no digit: without them nobody knows what may be typed. */
+  private moreChips(): HTMLElement | null {
+    const { classes, answer, classColor } = this.options;
+    const more = classes.slice(9);
+    if (more.length === 0) return null;
+    const box = el('div', { class: 'other-classes' });
+    for (const name of more.slice(0, MOST_MORE)) box.append(this.chip('', name, classColor(name), () => answer({ class: name })));
+    if (more.length > MOST_MORE) box.append(el('span', { class: 'near-title', text: `and ${more.length - MOST_MORE} more: type` }));
+    return box;
+  }
+
   private chip(digit: string, text: string, color: [number, number, number] | null, click: () => void): HTMLElement {
     const swatch = el('span', { class: 'swatch' });
     if (color) swatch.style.background = css(color);
     else swatch.classList.add('empty');
-    return el('button', { class: 'chip', title: text, click }, key(digit), swatch, el('span', { class: 'chip-text', text }));
+    return el('button', { class: 'chip', title: text, click }, digit ? key(digit) : '', swatch, el('span', { class: 'chip-text', text }));
   }
 
   private nearRow(): HTMLElement {
@@ -131,6 +144,10 @@ export class ClassInput {
     const { classes, all, classColor } = this.options;
     this.suggestions = [];
     if (typed !== '') {
+      const named = all.filter((near) => near.name.toLowerCase().includes(typed));
+      // Who types the whole name of an instance means it, not a new class of that name.
+      const exactly = named.find((near) => near.name.toLowerCase() === typed && !classes.includes(near.name));
+      if (exactly) this.suggestions.push(this.thatIsThere(exactly));
       const matches = classes.filter((name) => name.toLowerCase().includes(typed));
       const starts = (name: string): number => (name.toLowerCase().startsWith(typed) ? 0 : 1);
       matches.sort((a, b) => starts(a) - starts(b));
@@ -138,17 +155,19 @@ export class ClassInput {
         this.suggestions.push({ answer: { class: name }, text: name, note: 'new instance', color: classColor(name) });
       }
       const exact = matches.some((name) => name.toLowerCase() === typed);
-      if (!exact) {
+      if (!exact && !exactly) {
         const name = this.field.value.trim();
         this.suggestions.push({ answer: { class: name }, text: name, note: 'new class', color: [150, 150, 150] });
       }
       const left = MOST_SUGGESTIONS - this.suggestions.length;
-      for (const one of all.filter((near) => near.name.toLowerCase().includes(typed)).slice(0, left)) {
-        this.suggestions.push({ answer: { label: one.label }, text: one.name, note: 'is there', color: one.color });
-      }
+      for (const one of named.filter((near) => near !== exactly).slice(0, left)) this.suggestions.push(this.thatIsThere(one));
     }
     this.chosen = 0;
     this.showSuggestions();
+  }
+
+  private thatIsThere(one: NearInstance): Suggestion {
+    return { answer: { label: one.label }, text: one.name, note: 'is there', color: one.color };
   }
 
   private showSuggestions(): void {

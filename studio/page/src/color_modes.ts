@@ -43,6 +43,8 @@ export class ColorModes {
   readonly select: HTMLSelectElement;
   readonly legend = el('div', { class: 'legend', hidden: true });
   private before: ModeName = 'label';
+  /** Nobody has chosen a mode yet. */
+  private untouched = true;
   private available: ModeName[];
   private textures = new Map<Uint8Array, Texture>();
   private cidBusy = false;
@@ -62,10 +64,13 @@ export class ColorModes {
     this.select = el('select', { 'aria-label': 'What the colors say', title: 'What the colors say (V)' });
     for (const mode of this.available) this.select.append(el('option', { value: mode, text: NAMES[mode] }));
     this.select.addEventListener('change', () => {
+      this.untouched = false;
       this.set(this.select.value as ModeName);
       this.select.blur();
     });
     session.on('changed', () => {
+      // Height shows what things are; once some have labels, those are what the person must see.
+      if (this.untouched && this.mode === 'height' && session.instances.size > 0) this.set('label');
       if (this.mode === 'doubt') this.askDoubt(250);
       if (this.mode === 'cid' && this.cidShown !== null) this.from(this.cidShown, true);
     });
@@ -82,6 +87,8 @@ export class ColorModes {
     uniforms.ramp.value = this.texture(ramp);
     this.legend.hidden = true;
     if (mode === 'height') this.showHeight();
+    else this.setRange(...this.section.heights);
+    this.view.canvas.parentElement?.setAttribute('data-colors', mode);
     if (mode === 'cid') {
       cloud.setScalars(new Float32Array(cloud.places).fill(-1));
       this.cidShown = null;
@@ -96,11 +103,13 @@ export class ColorModes {
   }
 
   step(by: 1 | -1): void {
+    this.untouched = false;
     const at = this.available.indexOf(this.mode) + by + this.available.length;
     this.set(this.available[at % this.available.length]);
   }
 
   toggle(mode: ModeName): void {
+    this.untouched = false;
     this.set(this.mode === mode ? this.before : mode);
   }
 

@@ -56,7 +56,6 @@ export class InstancesPanel {
     this.element.append(el('header', {}, el('h2', { text: 'Instances' }), this.total, showAll, order), this.list, this.foot);
     this.list.addEventListener('scroll', () => this.draw());
     this.list.addEventListener('keydown', (event) => this.pressed(event));
-    this.list.addEventListener('focus', () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.list);
     session.on('changed', () => this.table.refresh());
     table.on('changed', () => {

@@ -20,6 +20,7 @@ import type { Session } from './session';
 import { chooseViewPoint } from './view_points';
 
 const HINT: (string | [string, string])[] = [
+  'The point in the ring counts.',
   ['Enter', 'same class'],
   ['Click', 'an instance that is there'],
   ['⇧Space', 'skip'],

@@ -20,7 +20,7 @@ const AZIMUTHS = [0, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.6, -2.6, Math.PI];
 const ELEVATIONS = [0.6, 0.25, 0.9, 1.2, -0.3];
 /** A card at the lower edge: how far the subject moves up for it (of the distance), and what it covers (of half the picture). */
 const CARD_SHIFT = 0.13;
-const CARD_TOP = -0.45;
+const CARD_TOP = -0.38;
 
 export interface ViewPoint {
   target: Vector3;

@@ -53,8 +53,12 @@ void main() {
   float texture_ = 0.72 + 0.5 * luminance;
   if (mode == ${MODE.rgb}) shade = hasColor ? color.rgb : vec3(0.6);
   else if (mode == ${MODE.height}) shade = rampAt(dot(position, ceiling.xyz));
-  else if (mode == ${MODE.label}) shade = entryOf(instanceColors, label).rgb * texture_;
-  else if (mode == ${MODE.class}) shade = entryOf(classColors, label).rgb * texture_;
+  else if (mode == ${MODE.label} || mode == ${MODE.class}) {
+    shade = mode == ${MODE.label} ? entryOf(instanceColors, label).rgb : entryOf(classColors, label).rgb;
+    // Gray that follows the height still shows what has no label yet.
+    if (label == 0u && !hasColor) texture_ = 0.6 + 0.8 * dot(rampAt(dot(position, ceiling.xyz)), vec3(0.3, 0.59, 0.11));
+    shade *= texture_;
+  }
   else if (mode == ${MODE.group}) shade = groupColor(group) * texture_;
   else shade = scalar < 0.0 ? vec3(0.2, 0.22, 0.26) : rampAt(scalar);
 
