@@ -30,7 +30,7 @@ async function withSession(options, work) {
   };
   const shot = async (name) => {
     await page.waitForTimeout(4000); // notes are gone, flights are over
-    await page.screenshot({ path: `${folder}/studio_${name}.jpg`, type: 'jpeg', quality: 75 });
+    await page.screenshot({ path: `${folder}/studio_${name}.jpg`, type: 'jpeg', quality: 68 });
   };
   await work({ page, press, shot });
   await program.end('SIGINT');
