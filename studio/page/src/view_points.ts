@@ -85,7 +85,8 @@ export function chooseViewPoint(
       eye.lookAt(target);
       eye.updateMatrixWorld(true);
       // A calm camera is worth something: of views as good, the nearest to the present one.
-      const price = 0.07 * Math.abs(turn) + 0.12 * Math.abs(elevation - 0.6);
+      // From below a floor is seen whole, and nobody knows it again.
+      const price = 0.07 * Math.abs(turn) + 0.12 * Math.abs(elevation - 0.6) + (elevation < 0 ? 0.45 : 0);
       const seen = whatIsSeen(eye, positions, scene, subject, { tolerance: 0.06 * distance, spacing, floor: card ? CARD_TOP : -1 });
       views.push({ point: { target, direction, distance }, seen, price });
     }
