@@ -31,9 +31,11 @@ isSet(const char* variable)
 bool
 openBrowser(const std::string& url)
 {
-  std::signal(SIGCHLD, SIG_IGN); // some of these programs end with the browser
   if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY"))
     return false;
+  // It may run as long as the browser: nobody waits for it, so the system clears it
+  // away.
+  std::signal(SIGCHLD, SIG_IGN);
   std::string program = "xdg-open";
   std::string address = url;
   char* arguments[] = {program.data(), address.data(), nullptr};

@@ -41,6 +41,7 @@ struct Export {
   const LabelledInstances& labels;
   OutputFiles& outputs;
   std::string path; ///< without extension
+  std::vector<std::string> remarks{};
 
   /** Announce and write a file. */
   std::string
@@ -114,7 +115,10 @@ writeSeeds(Export& to)
 Files
 writeS3dis(Export& to)
 {
-  writeS3DISRoom(to.cloud, to.labels, to.path, to.outputs);
+  writeS3DISRoom(
+      to.cloud, to.labels, to.path, to.outputs, [&](const std::string& sentence) {
+        to.remarks.push_back(sentence);
+      });
   return {to.path};
 }
 
@@ -192,7 +196,7 @@ LabelExporter::LabelExporter(const LabelledCloud& cloud,
 {
 }
 
-std::vector<std::string>
+ExportedLabels
 LabelExporter::write(const LabelSession& session,
                      const std::string& format,
                      const std::string& name,
@@ -210,7 +214,7 @@ LabelExporter::write(const LabelSession& session,
       cloud_, points_, session, labels, outputs, (fs::path(folder_) / file).string()};
   Files files = chosen.write(to);
   outputs.commit();
-  return files;
+  return {std::move(files), std::move(to.remarks)};
 }
 
 } // namespace pcl_cid::studio

@@ -18,6 +18,14 @@
 
 namespace pcl_cid::studio {
 
+/** \brief What was written. */
+struct ExportedLabels {
+  /** Files, or the folder of those that are one. */
+  std::vector<std::string> files;
+  /** A sentence for each thing that the format cannot say. */
+  std::vector<std::string> remarks;
+};
+
 /** \brief Writes the labels of sessions of one scan into one folder. */
 class LabelExporter {
 public:
@@ -36,10 +44,9 @@ public:
    *  \param[in] name of the file, or of the folder for those that are one; without
    *  folders; empty: the name of the scan
    *  \param[in] clean_up see LabelSession::cleanedLabels()
-   *  \return the files, or the folder
    *  \throws CIDException when there is no such format, the name has a folder, or
    *  writing fails */
-  std::vector<std::string>
+  ExportedLabels
   write(const LabelSession& session,
         const std::string& format,
         const std::string& name,

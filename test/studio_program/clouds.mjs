@@ -9,17 +9,9 @@
  */
 
 import { readFileSync, writeFileSync } from 'node:fs';
+import { randomNumbers } from '../../studio/page/mock/room.mjs';
 
-/** The same numbers, 0 to 1, each time. */
-export function randomNumbers(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
-}
+export { randomNumbers };
 
 /** A floor, two walls and four boxes: {x, y, z}, each an array. */
 export function smallRoom(points, seed = 1) {

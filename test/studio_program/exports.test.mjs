@@ -191,7 +191,8 @@ test('seeds, and the formats of data sets', async (t) => {
   });
 
   await t.test('s3dis', async () => {
-    const { files } = await page.ask('export', { format: 's3dis', file: 'room_1' });
+    const { files, remarks } = await page.ask('export', { format: 's3dis', file: 'room_1' });
+    assert.ok(remarks.some((sentence) => /no colors/.test(sentence)), remarks.join());
     assert.deepEqual(
       files.map((file) => basename(file)),
       ['room_1'],
@@ -329,7 +330,7 @@ test('what may not be written is refused, and nothing is changed', async (t) => 
     'a format that is no text': { format: 3 },
     'a name that is no text': { format: 'pcd', file: 5 },
     'a folder': { format: 'pcd', file: 'a/b' },
-    'a path': { format: 'pcd', file: '/tmp/out' },
+    'a path': { format: 'pcd', file: '/elsewhere/out' },
     '..': { format: 's3dis', file: '..' },
     '.': { format: 's3dis', file: '.' },
     'up and away': { format: 'pcd', file: '../out' },

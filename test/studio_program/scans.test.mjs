@@ -50,6 +50,16 @@ async function assertEnds(t, args, pattern, options) {
   return lines[0];
 }
 
+/** A scan of so many points whose field `mark` is made of the x and the number of each. */
+function markedRoom(t, points, markOf) {
+  const folder = temporaryFolder(t);
+  const scan = join(folder, 'a.pcd');
+  const { x, y, z } = smallRoom(points);
+  const mark = x.map(markOf);
+  writePcd(scan, { x: ['F4', x], y: ['F4', y], z: ['F4', z], mark: ['U4', mark] });
+  return { folder, scan, mark };
+}
+
 /** A scan of 1500 points with a session of two actions; which has ended. */
 async function withSession(t) {
   const folder = temporaryFolder(t);
@@ -586,16 +596,7 @@ test('labels that were given elsewhere', async (t) => {
   await t.test(
     'a label that is none of ours is refused before a session is begun',
     async () => {
-      const folder = temporaryFolder(t);
-      const scan = join(folder, 'most.pcd');
-      const cloud = smallRoom(600);
-      const labels = cloud.x.map((x) => (x < 1 ? 1 : 0xffffffff));
-      writePcd(scan, {
-        x: ['F4', cloud.x],
-        y: ['F4', cloud.y],
-        z: ['F4', cloud.z],
-        mark: ['U4', labels],
-      });
+      const { scan } = markedRoom(t, 600, (x) => (x < 1 ? 1 : 0xffffffff));
       await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
       // The next try is not "begun already".
       await assertEnds(t, [scan, '--import', 'mark', '--seeds', '4'], /4294967295/);
@@ -605,16 +606,7 @@ test('labels that were given elsewhere', async (t) => {
   await t.test(
     'the same command goes on after an import',
     async () => {
-      const folder = temporaryFolder(t);
-      const scan = join(folder, 'a.pcd');
-      const cloud = smallRoom(600);
-      const mark = cloud.x.map((x) => (x < 1 ? 7 : 2));
-      writePcd(scan, {
-        x: ['F4', cloud.x],
-        y: ['F4', cloud.y],
-        z: ['F4', cloud.z],
-        mark: ['U4', mark],
-      });
+      const { scan } = markedRoom(t, 600, (x) => (x < 1 ? 7 : 2));
       const args = [scan, '--import', 'mark', '--seeds', '4'];
       const content = await contentOf(t, args);
       assertSameSession(await contentOf(t, args), content);
@@ -624,16 +616,7 @@ test('labels that were given elsewhere', async (t) => {
   await t.test(
     'an import that was killed is not taken for a whole one',
     async () => {
-      const folder = temporaryFolder(t);
-      const scan = join(folder, 'a.pcd');
-      const cloud = smallRoom(4000);
-      const mark = cloud.x.map((_, i) => 1 + (i % 500));
-      writePcd(scan, {
-        x: ['F4', cloud.x],
-        y: ['F4', cloud.y],
-        z: ['F4', cloud.z],
-        mark: ['U4', mark],
-      });
+      const { folder, scan, mark } = markedRoom(t, 4000, (_, i) => 1 + (i % 500));
       const args = [scan, '--import', 'mark', '--seeds', '4'];
       const first = new Program(args);
       t.after(() => first.kill());

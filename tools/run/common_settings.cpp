@@ -95,14 +95,23 @@ configure(const Settings& settings,
 {
   parameters.setNumberOfSeeds(settings.numberOfSeeds(scan.cloud.size()));
   parameters.setCoverage(static_cast<float>(settings.coverage.value_or(0.0)));
+  configureGrouping(settings, scan, {settings.threads, console.progress()}, parameters);
+}
+
+void
+configureGrouping(const Settings& settings,
+                  const LoadedScan& scan,
+                  const ExecutionOptions& execution,
+                  CIDParameters& parameters)
+{
   parameters.setNumberOfSamples(settings.samples);
   parameters.setSubsample(settings.subsample);
   parameters.setRandomSeed(settings.random_seed);
   if (settings.start_index)
     parameters.setStartIndex(*settings.start_index);
   configureForRawScan(settings.raw_scan, scan.cloud, parameters);
-  parameters.setNumberOfThreads(settings.threads);
-  parameters.setProgressCallback(console.progress());
+  parameters.setNumberOfThreads(execution.threads);
+  parameters.setProgressCallback(execution.progress);
 }
 
 std::vector<Report::Parameter>

@@ -96,6 +96,13 @@ configure(const Settings& settings,
           Console& console,
           CIDParameters& parameters);
 
+/** \brief The same without those that say how many seeds are proposed. */
+void
+configureGrouping(const Settings& settings,
+                  const LoadedScan& scan,
+                  const ExecutionOptions& execution,
+                  CIDParameters& parameters);
+
 /** \brief The settings as they were used, for the report. */
 std::vector<Report::Parameter>
 parametersOf(const Settings& settings, const CIDParameters& parameters);

@@ -12,41 +12,46 @@
 #include <pcl_cid/cid_label_propagation.h>
 
 namespace pcl_cid::tools {
+namespace {
+
+/** Call `visit(of a session, of a tool)` for each setting that labels depend on. */
+template <typename Session, typename Tool, typename Visit>
+void
+forEachPair(Session& session, Tool& tool, const Visit& visit)
+{
+  auto& preparation = session.preparation;
+  visit(session.grouping.samples, tool.samples);
+  visit(session.grouping.seeding, tool.raw_scan.seeding);
+  visit(preparation.random_seed, tool.random_seed);
+  visit(preparation.start_index, tool.start_index);
+  visit(preparation.density, tool.raw_scan.density);
+  visit(preparation.density_power, tool.raw_scan.density_power);
+  visit(preparation.isolated_neighbors, tool.raw_scan.isolated_neighbors);
+  visit(preparation.color, tool.raw_scan.color);
+  visit(preparation.normals, tool.raw_scan.normals);
+  visit(preparation.connected, tool.raw_scan.connected);
+  visit(preparation.blind_spot, tool.raw_scan.blind_spot);
+  visit(session.keep_zeros, tool.keep_zeros);
+}
+
+} // namespace
 
 SessionSettings
 sessionSettingsOf(const Settings& settings)
 {
   SessionSettings session;
-  session.grouping.samples = settings.samples;
-  session.grouping.seeding = settings.raw_scan.seeding;
-  session.preparation.random_seed = settings.random_seed;
-  session.preparation.start_index = settings.start_index;
-  session.preparation.density = settings.raw_scan.density;
-  session.preparation.density_power = settings.raw_scan.density_power;
-  session.preparation.isolated_neighbors = settings.raw_scan.isolated_neighbors;
-  session.preparation.color = settings.raw_scan.color;
-  session.preparation.normals = settings.raw_scan.normals;
-  session.preparation.connected = settings.raw_scan.connected;
-  session.preparation.blind_spot = settings.raw_scan.blind_spot;
-  session.keep_zeros = settings.keep_zeros;
+  forEachPair(session, settings, [](auto& of_session, const auto& of_tool) {
+    of_session = of_tool;
+  });
   return session;
 }
 
 void
 useSettingsOf(const SessionSettings& session, Settings& settings)
 {
-  settings.samples = session.grouping.samples;
-  settings.raw_scan.seeding = session.grouping.seeding;
-  settings.random_seed = session.preparation.random_seed;
-  settings.start_index = session.preparation.start_index;
-  settings.raw_scan.density = session.preparation.density;
-  settings.raw_scan.density_power = session.preparation.density_power;
-  settings.raw_scan.isolated_neighbors = session.preparation.isolated_neighbors;
-  settings.raw_scan.color = session.preparation.color;
-  settings.raw_scan.normals = session.preparation.normals;
-  settings.raw_scan.connected = session.preparation.connected;
-  settings.raw_scan.blind_spot = session.preparation.blind_spot;
-  settings.keep_zeros = session.keep_zeros;
+  forEachPair(session, settings, [](const auto& of_session, auto& of_tool) {
+    of_tool = of_session;
+  });
   settings.subsample = 0;
 }
 
@@ -56,13 +61,7 @@ prepareSession(const Settings& settings,
                const ExecutionOptions& execution)
 {
   CIDLabelPropagation<pcl::PointXYZ> parameters;
-  parameters.setNumberOfSamples(settings.samples);
-  parameters.setRandomSeed(settings.random_seed);
-  if (settings.start_index)
-    parameters.setStartIndex(*settings.start_index);
-  configureForRawScan(settings.raw_scan, scan.cloud, parameters);
-  parameters.setNumberOfThreads(execution.threads);
-  parameters.setProgressCallback(execution.progress);
+  configureGrouping(settings, scan, execution, parameters);
   parameters.setInputCloud(scan.points.points);
   const PreparedScan::ConstPtr prepared = parameters.prepare();
   return LabelSession(prepared, parameters.getGroupingSettings());

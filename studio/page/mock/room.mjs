@@ -7,7 +7,8 @@
  * A small room for development and tests: what a scanner might see, made from boxes.
  */
 
-function random(seed) {
+/** The same numbers, 0 to 1, each time. */
+export function randomNumbers(seed) {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x6d2b79f5) | 0;
@@ -60,7 +61,7 @@ function sides({ low, high }) {
 }
 
 export function makeRoom(places, seed = 7) {
-  const rnd = random(seed);
+  const rnd = randomNumbers(seed);
   const room = { low: [0, 0, 0], high: [6, 4, 2.7] };
   const surfaces = [];
   sides(room).forEach((side, i) => {

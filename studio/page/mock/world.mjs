@@ -212,7 +212,7 @@ export class World {
     }
     if (h.ask === 'export') {
       if (h.file === 'fail') throw new Refused('fail.pcd could not be written: there is no space left on the disk.');
-      return [{ files: h.format === 'scannet' ? [`${h.file}.txt`, `${h.file}.segs.json`] : [`${h.file}.${h.format}`] }, {}];
+      return [{ files: h.format === 'scannet' ? [`${h.file}.txt`, `${h.file}.segs.json`] : [`${h.file}.${h.format}`], remarks: [] }, {}];
     }
     throw new Refused(`The server does not know ${h.ask}.`);
   }

@@ -8,15 +8,11 @@
  */
 
 import type { Actions } from './actions';
-import type { Camera } from './camera';
-import { MARK_GROUP } from './cloud_geometry';
 import type { ColorModes } from './color_modes';
 import { count, metres } from './dom';
+import type { GroupView } from './group_view';
 import type { Messages } from './messages';
-import type { PointCloudView } from './point_cloud_view';
-import type { SectionCut } from './section';
 import type { Session } from './session';
-import { chooseViewPoint } from './view_points';
 
 export class Doubt {
   private skip = 0;
@@ -26,12 +22,8 @@ export class Doubt {
     private session: Session,
     private actions: Actions,
     private colors: ColorModes,
-    private view: PointCloudView,
-    private camera: Camera,
-    private section: SectionCut,
+    private groups: GroupView,
     private messages: Messages,
-    private diagonal: number,
-    private isDrawn: (place: number) => boolean,
   ) {}
 
   /** How many areas were shown since the last change: the next one is smaller. */
@@ -56,15 +48,7 @@ export class Doubt {
     }
     const found = message.arrays.places as Uint32Array | undefined;
     const places = found && found.length > 0 ? found : Uint32Array.of(place);
-    this.section.suspended = false;
-    let kept = 0;
-    for (const one of places) if (this.section.keeps(one)) kept++;
-    this.section.suspended = kept < 0.35 * places.length;
-    this.section.apply();
-    this.view.cloud.mark(MARK_GROUP, places);
-    const point = chooseViewPoint(this.view, this.camera, places, this.diagonal, this.isDrawn, { pull: 2.2 });
-    void this.camera.lookFrom(point.target, point.direction, point.distance);
-    this.view.pulse();
+    this.groups.show(places, { pull: 2.2 });
     this.messages.note(`${count(places.length)} points with less than ${metres(below)} between the two nearest labels. Click the one that is wrong.`);
   }
 }

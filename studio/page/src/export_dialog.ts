@@ -95,7 +95,8 @@ export class ExportDialog {
       const { header } = await this.connection.request({ ask: 'export', format: data.get('format'), file });
       const list = el('ul', {});
       for (const name of header.files as string[]) list.append(el('li', { text: name }));
-      this.outcome.replaceChildren(el('p', { class: 'right', text: 'Written:' }), list);
+      const remarks = (header.remarks as string[]).map((text) => el('p', { class: 'muted', text }));
+      this.outcome.replaceChildren(el('p', { class: 'right', text: 'Written:' }), list, ...remarks);
     } catch (error) {
       const text = error instanceof Cancelled ? 'Something changed while it was written; write it again.' : (error as Error).message;
       this.outcome.replaceChildren(el('p', { class: 'wrong', role: 'alert', text }));

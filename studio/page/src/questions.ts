@@ -9,15 +9,11 @@
 
 import { Actions } from './actions';
 import type { Asking } from './asking';
-import type { Camera } from './camera';
-import { MARK_GROUP } from './cloud_geometry';
 import { count, el, key } from './dom';
+import type { GroupView } from './group_view';
 import type { Messages } from './messages';
-import type { PointCloudView } from './point_cloud_view';
 import type { Answer, Question } from './protocol';
-import type { SectionCut } from './section';
 import type { Session } from './session';
-import { chooseViewPoint } from './view_points';
 
 const HINT: (string | [string, string])[] = [
   'The point in the ring counts.',
@@ -40,12 +36,8 @@ export class Questions {
     private actions: Actions,
     private asking: Asking,
     private session: Session,
-    private view: PointCloudView,
-    private camera: Camera,
-    private section: SectionCut,
+    private groups: GroupView,
     private messages: Messages,
-    private diagonal: number,
-    private isDrawn: (place: number) => boolean,
     private lookForDoubt: () => void,
   ) {}
 
@@ -72,9 +64,7 @@ export class Questions {
     this.loading = false;
     this.current = null;
     this.done.hidden = true;
-    this.view.cloud.mark(MARK_GROUP, new Uint32Array(0));
-    this.section.suspend(false);
-    this.view.invalidate();
+    this.groups.clear();
   }
 
   private async ask(): Promise<void> {
@@ -99,20 +89,9 @@ export class Questions {
   }
 
   private show(question: Question, left: number, places: Uint32Array): void {
-    const { cloud } = this.view;
     this.current = question;
     const group = places.length > 0 ? places : Uint32Array.of(question.place);
-    // A group that the section cuts away is shown without the cut, for as long as it is asked about.
-    this.section.suspended = false;
-    let kept = 0;
-    for (const place of group) if (this.section.keeps(place)) kept++;
-    const cut = kept < 0.35 * group.length || !this.section.keeps(question.place);
-    this.section.suspended = cut;
-    this.section.apply();
-    cloud.mark(MARK_GROUP, group);
-    const point = chooseViewPoint(this.view, this.camera, group, this.diagonal, this.isDrawn, { card: true });
-    void this.camera.lookFrom(point.target, point.direction, point.distance);
-    this.view.pulse();
+    const cut = this.groups.show(group, { card: true }, question.place);
     const more = left === 1 ? 'the last question' : `${count(left)} questions left`;
     this.asking.open({
       kind: 'question',

@@ -44,7 +44,7 @@ export function extent(positions: Float32Array, places: ArrayLike<number>): { ce
   return { center, radius: distances[Math.floor(0.95 * (distances.length - 1))] };
 }
 
-export interface Wish {
+export interface ViewPointOptions {
   /** How much larger than the subject the picture is. */
   pull?: number;
   /** The lower part of the picture is covered by a card. */
@@ -57,7 +57,7 @@ export function chooseViewPoint(
   places: ArrayLike<number>,
   diagonal: number,
   isDrawn: (place: number) => boolean,
-  { pull = 1.7, card = false }: Wish = {},
+  { pull = 1.7, card = false }: ViewPointOptions = {},
 ): ViewPoint {
   const { positions } = view.cloud;
   const { center, radius } = extent(positions, places);

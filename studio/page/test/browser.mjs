@@ -8,6 +8,8 @@
  */
 
 import { mkdirSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const ARGUMENTS = [
@@ -63,7 +65,7 @@ export async function clickPlace(page, place, options = {}) {
   return at;
 }
 
-const folder = process.env.STUDIO_SHOTS ?? '/tmp/studio_shots';
+const folder = process.env.STUDIO_SHOTS ?? join(tmpdir(), 'studio_shots');
 export async function shot(page, name) {
   mkdirSync(folder, { recursive: true });
   await page.screenshot({ path: `${folder}/${name}.png` });

@@ -8,9 +8,31 @@
  */
 
 import { spawn } from 'node:child_process';
-import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
+
+/** How many points of a binary PLY have each label. */
+export function labelCounts(path) {
+  const bytes = readFileSync(path);
+  const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
+  const header = bytes.toString('latin1', 0, end);
+  const points = Number(/element vertex (\d+)/.exec(header)[1]);
+  const size = { char: 1, uchar: 1, short: 2, ushort: 2, int: 4, uint: 4, float: 4, double: 8 };
+  const vertex = header.slice(header.indexOf('element vertex')).split('\nelement')[0];
+  let at = 0;
+  let stride = 0;
+  for (const [, type, name] of vertex.matchAll(/property (\w+) (\w+)/g)) {
+    if (name === 'label') at = stride;
+    stride += size[type];
+  }
+  const counts = new Map();
+  for (let i = 0; i < points; i++) {
+    const label = bytes.readUInt32LE(end + i * stride + at);
+    counts.set(label, (counts.get(label) ?? 0) + 1);
+  }
+  return counts;
+}
 
 export function copyOf(scan) {
   const folder = mkdtempSync(join(tmpdir(), 'studio-'));
