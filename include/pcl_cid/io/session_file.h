@@ -12,6 +12,7 @@
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/label_session.h>
+#include <pcl_cid/core/part_session.h>
 #include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
@@ -56,6 +57,9 @@ struct SessionRecord {
   ScanIdentity scan;
   SessionSettings settings;
   std::vector<LabelAction> actions;
+  std::vector<std::size_t> lines; ///< where each of these is in the file, from 1
+  std::vector<PartAction> part_actions;
+  std::vector<std::size_t> part_lines;
 };
 
 /** \brief Read a session, to look at it.
@@ -78,17 +82,25 @@ requireScanOf(const SessionRecord& record,
               const ScanIdentity& scan,
               const std::string& path);
 
-/** \brief Do what a record says.
+/** \brief Do what a record says about labels.
  *  \param[in,out] session of the scan and settings of the record, with nothing done
  *  \param[in] path of the record, for messages
- *  \return how many actions were done: all, or all but the last, which may have been
- *  written down and then not been possible
+ *  \return how many actions were done: all, or all but the last line of the file, which
+ *  may have been written down and then not been possible
  *  \throws CIDException when another one is not possible, CIDCancelled */
 PCL_CID_IO_EXPORT std::size_t
 replaySession(const SessionRecord& record,
               const std::string& path,
               LabelSession& session,
               const ExecutionOptions& execution = {});
+
+/** \brief The same for what it says about parts.
+ *  \throws CIDException when an action is not possible, CIDCancelled */
+PCL_CID_IO_EXPORT void
+replayParts(const SessionRecord& record,
+            const std::string& path,
+            PartSession& parts,
+            const ExecutionOptions& execution = {});
 
 /** \brief A session file that is written: JSON lines, the first about scan and
  *  settings, each other an action, on the disk before append() returns.
@@ -102,6 +114,7 @@ replaySession(const SessionRecord& record,
  *    {"do": "label", "seed": 812, "new": {"class": "chair"}}
  *    {"do": "click", "points": [1234], "label": 1}
  *    {"do": "undo"}
+ *    {"do": "decompose", "groups": 100}
  *  \endcode */
 class PCL_CID_IO_EXPORT SessionFile {
 public:
@@ -137,6 +150,8 @@ public:
    *  \throws CIDException when it cannot be, as on a full disk: then it is not there */
   void
   append(const LabelAction& action);
+  void
+  append(const PartAction& action);
 
   /** \brief Take the last action out again, once: it was not possible. For actions
    *  that the file was opened with, too.

@@ -10,6 +10,9 @@
 #pragma once
 
 #include <pcl_cid/core/label_action.h>
+#include <pcl_cid/core/part_action.h>
+
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -20,8 +23,16 @@ namespace pcl_cid {
 nlohmann::ordered_json
 toJson(const LabelAction& action);
 
+nlohmann::ordered_json
+toJson(const PartAction& action);
+
 /** \throws CIDException when it is not an action as toJson() writes them */
 LabelAction
 actionFrom(const nlohmann::json& json);
+
+/** \brief An action on parts; nothing where what is to be done is something else.
+ *  \throws CIDException when it is not as toJson() writes it */
+std::optional<PartAction>
+partActionFrom(const nlohmann::json& json);
 
 } // namespace pcl_cid

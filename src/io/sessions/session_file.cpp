@@ -59,6 +59,25 @@ struct Lines {
   }
 };
 
+/** What is wrong with a line that cannot be done. */
+CIDException
+impossible(const std::string& path, std::size_t line, const CIDException& error)
+{
+  return CIDException(path + ": line " + std::to_string(line) + ": " + error.what());
+}
+
+void
+addLine(const nlohmann::json& json, std::size_t line, SessionRecord& record)
+{
+  if (const std::optional<PartAction> on_parts = partActionFrom(json)) {
+    record.part_actions.push_back(*on_parts);
+    record.part_lines.push_back(line);
+    return;
+  }
+  record.actions.push_back(actionFrom(json));
+  record.lines.push_back(line);
+}
+
 /** \throws CIDException with file and line */
 SessionRecord
 recordOf(const Lines& lines, const std::string& path)
@@ -70,14 +89,13 @@ recordOf(const Lines& lines, const std::string& path)
       if (k == 0)
         record = recordFrom(json);
       else
-        record.actions.push_back(actionFrom(json));
+        addLine(json, k + 1, record);
     }
     catch (const nlohmann::json::exception&) {
       throw CIDException(path + ": line " + std::to_string(k + 1) + " is not JSON");
     }
     catch (const CIDException& error) {
-      throw CIDException(path + ": line " + std::to_string(k + 1) + ": " +
-                         error.what());
+      throw impossible(path, k + 1, error);
     }
   return record;
 }
@@ -192,16 +210,34 @@ replaySession(const SessionRecord& record,
               const ExecutionOptions& execution)
 {
   const std::size_t done = session.replay(record.actions, execution);
-  if (done + 1 >= record.actions.size())
+  const std::size_t last = 1 + record.actions.size() + record.part_actions.size();
+  if (done == record.actions.size() || record.lines[done] == last)
     return done;
   try {
     session.apply(record.actions[done]);
   }
   catch (const CIDException& error) {
-    throw CIDException(path + ": line " + std::to_string(done + 2) + ": " +
-                       error.what());
+    throw impossible(path, record.lines[done], error);
   }
   return done;
+}
+
+void
+replayParts(const SessionRecord& record,
+            const std::string& path,
+            PartSession& parts,
+            const ExecutionOptions& execution)
+{
+  for (std::size_t k = 0; k < record.part_actions.size(); ++k)
+    try {
+      parts.apply(record.part_actions[k], execution);
+    }
+    catch (const CIDCancelled&) {
+      throw;
+    }
+    catch (const CIDException& error) {
+      throw impossible(path, record.part_lines[k], error);
+    }
 }
 
 /** The file, locked. */
@@ -315,6 +351,12 @@ SessionFile::write(const std::string& line)
 
 void
 SessionFile::append(const LabelAction& action)
+{
+  write(lineOf(toJson(action)));
+}
+
+void
+SessionFile::append(const PartAction& action)
 {
   write(lineOf(toJson(action)));
 }
