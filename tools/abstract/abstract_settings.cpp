@@ -10,6 +10,7 @@
 #include "abstract_settings.h"
 
 #include "run/parameter.h"
+#include "run/session_settings.h"
 #include "run/words.h"
 
 #include <pcl_cid/core/hull_simplification.h>
@@ -69,6 +70,28 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
                {optionName(setting::threshold), optionName(setting::merges)});
   line.exclude(optionName(setting::threshold), {optionName(setting::merges)});
   line.require("strict", {optionName(setting::max_error)});
+}
+
+/** Parts that a person has chosen. */
+void
+declareSessionParts(AbstractSettings& settings, CommandLine& line)
+{
+  declareSessionOption(
+      settings.session,
+      "the parts that were chosen in a session of pcl_cid_studio on INPUT",
+      line);
+  line.exclude("session",
+               {optionName(setting::parts),
+                optionName(setting::threshold),
+                optionName(setting::merges),
+                optionName(setting::merging),
+                optionName(setting::max_error),
+                optionName(setting::robot_radius),
+                optionName(setting::group_samples),
+                optionName(setting::min_points),
+                "viewpoints",
+                "strict",
+                "curve"});
 }
 
 void
@@ -134,6 +157,15 @@ AbstractSettings::mergingRule() const
   return asks_for_hulls && !isAboutGroups() ? MergingRule::hull : MergingRule::cid;
 }
 
+ConvexPartOptions
+AbstractSettings::hullOptions() const
+{
+  ConvexPartOptions options = hulls;
+  options.max_vertices =
+      static_cast<std::size_t>(max_vertices.value_or(setting::max_vertices.initial));
+  return options;
+}
+
 bool
 AbstractSettings::isAboutGroups() const
 {
@@ -146,6 +178,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
 {
   CommandLine line(abstract_tool, "pcl_cid_abstract INPUT OUTPUT [options]", about);
   declareMergeOptions(settings, line);
+  declareSessionParts(settings, line);
   declareHullOptions(settings, line);
   declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);

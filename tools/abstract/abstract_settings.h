@@ -41,6 +41,7 @@ struct AbstractSettings : Settings {
   double free_distance = setting::free_distance.initial;
   bool strict = false;
   bool verify = false;
+  std::string session; ///< of pcl_cid_studio, whose parts are taken
   std::string labels;
   std::string tree;
   std::string curve;
@@ -49,6 +50,9 @@ struct AbstractSettings : Settings {
   /** \brief Without `--merging`, by hull where nothing but hulls is asked for. */
   MergingRule
   mergingRule() const;
+
+  ConvexPartOptions
+  hullOptions() const;
 
   /** \brief Whether anything is said or asked about groups, which merging by hull has
    *  none of. */

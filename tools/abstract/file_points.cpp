@@ -96,14 +96,13 @@ roundingOf(const pcl::Indices& indices,
 }
 
 void
-coverFilePoints(const LoadedScan& scan,
-                const ConvexPartOptions& options,
-                std::vector<ConvexPart>& parts)
+coverFilePoints(const LoadedScan& scan, AbstractedScan& abstracted)
 {
   constexpr double large = 1000.0; // metres: hull_tolerance is a centimetre then
   const FileCoordinates coordinates(scan.cloud);
   PointSet points;
-  for (ConvexPart& part : parts) {
+  for (std::size_t k = 0; k < abstracted.parts.size(); ++k) {
+    ConvexPart& part = abstracted.parts[k];
     if (roundingOf(part.indices, scan.points, coordinates) <= unnoticed_rounding &&
         diagonalOf(part.hull) <= large)
       continue;
@@ -113,7 +112,7 @@ coverFilePoints(const LoadedScan& scan,
     for (const pcl::index_t index : part.indices)
       in_file.push_back(
           scan.points.frame.toLocal(coordinates[static_cast<std::size_t>(index)]));
-    cover(in_file, points, options, part);
+    cover(in_file, points, abstracted.optionsOf(k), part);
   }
 }
 

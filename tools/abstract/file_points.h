@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include "abstracted_scan.h"
 #include "run/loaded_scan.h"
 
 #include <pcl_cid/core/convex_part.h>
@@ -31,10 +32,8 @@ roundingOf(const pcl::Indices& indices,
 /** \brief Make a hull again, padded, where its points have lost more than what may go
  *  unnoticed, or where it is so large that it may miss them by as much: it contains the
  *  points of the file then, to within that.
- *  \param[in,out] parts in the local frame of the scan */
+ *  \param[in,out] abstracted its parts, in the local frame of the scan */
 void
-coverFilePoints(const LoadedScan& scan,
-                const ConvexPartOptions& options,
-                std::vector<ConvexPart>& parts);
+coverFilePoints(const LoadedScan& scan, AbstractedScan& abstracted);
 
 } // namespace pcl_cid::tools

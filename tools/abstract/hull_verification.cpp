@@ -113,13 +113,13 @@ verifyHull(std::size_t number,
            const Frame& mesh_frame,
            const Verification& verification)
 {
-  const ConvexPart& part = verification.parts[number];
+  const ConvexPart& part = verification.abstracted.parts[number];
   const double rounding =
       roundingOf(part.indices, verification.points, verification.coordinates);
   const auto broken = findBrokenGuarantee(
       hull,
       pointsOf(part, verification.coordinates, mesh_frame),
-      verification.options,
+      verification.abstracted.optionsOf(number),
       (is_float ? floatRounding(hull) : 0.0) + std::min(rounding, unnoticed_rounding));
   const auto too_far = verification.error && !broken
                            ? verification.error->findTooFar(
@@ -151,7 +151,7 @@ verifyMesh(const std::string& path,
            OutputFiles& outputs)
 {
   check(path, [&] {
-    const StoredHulls stored = readHulls(path, verification.parts, outputs);
+    const StoredHulls stored = readHulls(path, verification.abstracted.parts, outputs);
     for (std::size_t k = 0; k < stored.hulls.size(); ++k)
       verifyHull(k, stored.hulls[k], stored.is_float, Frame(), verification);
   });
@@ -163,13 +163,14 @@ verifyParts(const std::string& folder,
             const Verification& verification,
             OutputFiles& outputs)
 {
-  for (std::size_t k = 0; k < verification.parts.size(); ++k) {
+  for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
     if (primitiveOf(k, scene))
       continue;
     const std::string path =
         std::filesystem::path(folder) / partFileName(k, scene.mesh_extension);
     check(path, [&] {
-      const StoredHulls stored = readHulls(path, {verification.parts[k]}, outputs);
+      const StoredHulls stored =
+          readHulls(path, {verification.abstracted.parts[k]}, outputs);
       verifyHull(
           k, stored.hulls.front(), stored.is_float, Frame{scene.origin}, verification);
     });

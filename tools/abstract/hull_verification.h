@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "abstracted_scan.h"
 #include "error_verification.h"
 
 #include <pcl_cid/io/cloud_points.h>
@@ -22,11 +23,10 @@ namespace pcl_cid::tools {
 
 /** \brief What the files are checked against. */
 struct Verification {
-  const std::vector<ConvexPart>& parts; ///< as they were written
+  const AbstractedScan& abstracted; ///< as it was written
   const CloudPoints& points;
   const FileCoordinates coordinates; ///< the same points, as they stand in the file
-  const ConvexPartOptions& options;
-  const ErrorVerification* error; ///< null: no bound was asked for
+  const ErrorVerification* error;    ///< null: no bound was asked for
 };
 
 /** \brief Read a mesh file with all parts again, before it is committed, and check each

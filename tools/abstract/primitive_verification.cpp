@@ -67,8 +67,8 @@ findPointOutside(const HullPrimitive& primitive,
   const double allowance = allowanceFor(primitive, part, verification);
   for (const pcl::index_t index : part.indices) {
     const auto i = static_cast<std::size_t>(index);
-    const double excess =
-        excessOf(primitive, verification.coordinates[i]) + verification.options.padding;
+    const double excess = excessOf(primitive, verification.coordinates[i]) +
+                          verification.abstracted.hull_options.padding;
     if (!(excess <= allowance))
       return "point " + std::to_string(i) + " is not contained: it is " +
              shortNumber(excess) + " m too far out";
@@ -100,14 +100,15 @@ verify(const NamedPrimitives& primitives,
        const Verification& verification)
 {
   std::size_t expected = 0;
-  for (std::size_t k = 0; k < verification.parts.size(); ++k) {
+  for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
     if (!primitiveOf(k, scene))
       continue;
     ++expected;
     const auto found = primitives.find(partName(k));
     if (found == primitives.end())
       throw CIDException("the primitive of " + partName(k) + " is missing");
-    auto broken = findPointOutside(found->second, verification.parts[k], verification);
+    auto broken =
+        findPointOutside(found->second, verification.abstracted.parts[k], verification);
     if (!broken)
       broken = findTooFar(found->second, verification);
     if (broken)

@@ -12,7 +12,9 @@
 #include <pcl_cid/core/hull_simplification.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace pcl_cid::tools {
 namespace {
@@ -42,60 +44,100 @@ verticesOf(const std::vector<ConvexPart>& parts)
   return vertices;
 }
 
+/** The bound on the error where there is one. */
+std::optional<ErrorBound>
+errorBound(const AbstractSettings& settings,
+           const Viewpoints& viewpoints,
+           const PreparedScan::ConstPtr& scan,
+           const ExecutionOptions& execution)
+{
+  if (!settings.max_error)
+    return std::nullopt;
+  return std::optional<ErrorBound>(
+      std::in_place,
+      scan,
+      paddedBound(*settings.max_error, settings.hulls.padding),
+      viewpoints,
+      execution);
+}
+
+/** Parts whose hulls may be made simpler, taken out. */
+std::vector<ConvexPart>
+takeInexact(AbstractedScan& abstracted)
+{
+  std::vector<ConvexPart> taken;
+  for (std::size_t k = 0; k < abstracted.parts.size(); ++k)
+    if (!abstracted.isExact(k))
+      taken.push_back(std::move(abstracted.parts[k]));
+  return taken;
+}
+
+void
+putBack(std::vector<ConvexPart> taken, AbstractedScan& abstracted)
+{
+  auto next = taken.begin();
+  for (std::size_t k = 0; k < abstracted.parts.size(); ++k)
+    if (!abstracted.isExact(k))
+      abstracted.parts[k] = std::move(*next++);
+}
+
 } // namespace
 
-Primitives
+void
 findPrimitives(const AbstractSettings& settings,
                const Viewpoints& viewpoints,
-               const std::vector<ConvexPart>& parts,
-               Abstraction& abstraction,
-               Run& run)
+               const PreparedScan::ConstPtr& scan,
+               Run& run,
+               AbstractedScan& abstracted)
 {
   if (!settings.scenes.primitives)
-    return {};
+    return;
   run.begin("Looking for primitives");
-  const PreparedScan::ConstPtr scan = abstraction.prepare();
   const ExecutionOptions execution = {settings.threads, run.console.progress()};
   PrimitiveOptions options;
   options.kinds = settings.scenes.primitiveKinds();
-  std::optional<ErrorBound> bound;
-  if (settings.max_error) {
-    bound.emplace(scan,
-                  paddedBound(*settings.max_error, settings.hulls.padding),
-                  viewpoints,
-                  execution);
+  const auto bound = errorBound(settings, viewpoints, scan, execution);
+  if (bound)
     options.may_replace = [&](const TriangleMesh& body) {
       return bound->isKeptBy(body);
     };
-  }
-  Primitives primitives =
-      fitPrimitives(parts, scan->points().frame, options, execution);
-  run.report.primitives = primitives;
-  run.end(countsOf(primitives, options.kinds), "primitives");
-  return primitives;
+  abstracted.primitives =
+      fitPrimitives(abstracted.parts, scan->points().frame, options, execution);
+  run.report.primitives = abstracted.primitives;
+  run.end(countsOf(abstracted.primitives, options.kinds), "primitives");
 }
 
 void
 simplify(const AbstractSettings& settings,
-         std::vector<ConvexPart>& parts,
-         Abstraction& abstraction,
-         Run& run)
+         const Viewpoints& viewpoints,
+         const PreparedScan::ConstPtr& scan,
+         Run& run,
+         AbstractedScan& abstracted)
 {
   if (!settings.fewest_vertices)
     return;
   run.begin("Simplifying hulls");
-  const std::size_t exact = verticesOf(parts);
-  abstraction.simplify(parts);
+  const std::size_t exact = verticesOf(abstracted.parts);
+  const ExecutionOptions execution = {settings.threads, run.console.progress()};
+  const auto bound =
+      errorBound(settings, viewpoints, scan, partOf(execution, 0.0, 0.3));
+  std::vector<ConvexPart> parts = takeInexact(abstracted);
+  simplifyHulls(parts,
+                scan->points().frame,
+                bound ? &*bound : nullptr,
+                partOf(execution, 0.3, 1.0));
+  putBack(std::move(parts), abstracted);
   run.report.exact_vertices = exact;
-  run.end(std::to_string(verticesOf(parts)) + " vertices instead of " +
+  run.end(std::to_string(verticesOf(abstracted.parts)) + " vertices instead of " +
               std::to_string(exact),
           "simplify");
 }
 
 void
-moveToFile(const Frame& frame, Primitives& primitives)
+moveToFile(const Frame& frame, AbstractedScan& abstracted)
 {
-  for (auto& primitive : primitives)
+  pcl_cid::moveToFile(frame, abstracted.parts);
+  for (auto& primitive : abstracted.primitives)
     if (primitive)
       primitive->center = frame.toFile(primitive->center);
 }

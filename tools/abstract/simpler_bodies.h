@@ -10,42 +10,33 @@
 #pragma once
 
 #include "abstract_settings.h"
+#include "abstracted_scan.h"
 #include "run/run.h"
 
-#include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/core/frame.h>
-#include <pcl_cid/core/hull_primitive.h>
-
-#include <optional>
-#include <vector>
+#include <pcl_cid/core/prepared_scan.h>
 
 namespace pcl_cid::tools {
 
-using Abstraction = CIDConvexAbstraction<pcl::PointXYZ>;
-
-/** Where scanners stood. */
-using Viewpoints = std::vector<Eigen::Vector3d>;
-
-/** What stands for each part; empty when primitives are not asked for. */
-using Primitives = std::vector<std::optional<HullPrimitive>>;
-
 /** \brief What stands for hulls in scenes, within the bound, when asked for. */
-Primitives
+void
 findPrimitives(const AbstractSettings& settings,
                const Viewpoints& viewpoints,
-               const std::vector<ConvexPart>& parts,
-               Abstraction& abstraction,
-               Run& run);
+               const PreparedScan::ConstPtr& scan,
+               Run& run,
+               AbstractedScan& abstracted);
 
-/** \brief As few vertices as the error allows, when asked for. */
+/** \brief As few vertices as the error allows, when asked for; exact hulls keep
+ *  theirs. */
 void
 simplify(const AbstractSettings& settings,
-         std::vector<ConvexPart>& parts,
-         Abstraction& abstraction,
-         Run& run);
+         const Viewpoints& viewpoints,
+         const PreparedScan::ConstPtr& scan,
+         Run& run,
+         AbstractedScan& abstracted);
 
 /** \brief From the frame that is worked in to that of the file. */
 void
-moveToFile(const Frame& frame, Primitives& primitives);
+moveToFile(const Frame& frame, AbstractedScan& abstracted);
 
 } // namespace pcl_cid::tools

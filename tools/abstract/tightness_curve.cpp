@@ -9,6 +9,8 @@
 
 #include "tightness_curve.h"
 
+#include "run/words.h"
+
 #include <algorithm>
 #include <limits>
 #include <ostream>
@@ -30,10 +32,24 @@ numbersOfParts(std::size_t groups)
 
 } // namespace
 
+TightnessMeter
+measureTightness(const AbstractSettings& settings,
+                 const PreparedScan::ConstPtr& scan,
+                 const std::vector<ConvexPart>& parts,
+                 Run& run)
+{
+  run.begin("Measuring hulls");
+  TightnessOptions options;
+  options.free_distance = settings.free_distance;
+  options.execution = {settings.threads, run.console.progress()};
+  TightnessMeter meter(scan, options);
+  run.report.tightness = meter.measure(parts);
+  run.end(percent(run.report.tightness->all.free_share) + " free space", "tightness");
+  return meter;
+}
+
 std::vector<CurvePoint>
-tightnessCurve(const TightnessMeter& meter,
-               bool simplified,
-               CIDConvexAbstraction<pcl::PointXYZ>& abstraction)
+tightnessCurve(const TightnessMeter& meter, bool simplified, Abstraction& abstraction)
 {
   const MergeTree tree = abstraction.getMergeTree();
   const std::size_t groups = tree.numberOfGroups();

@@ -9,6 +9,9 @@
 
 #pragma once
 
+#include "abstract_settings.h"
+#include "run/run.h"
+
 #include <pcl_cid/cid_convex_abstraction.h>
 #include <pcl_cid/core/hull_tightness.h>
 
@@ -16,6 +19,16 @@
 #include <vector>
 
 namespace pcl_cid::tools {
+
+using Abstraction = CIDConvexAbstraction<pcl::PointXYZ>;
+
+/** \brief How tightly hulls fit, for the report.
+ *  \return what has measured it */
+TightnessMeter
+measureTightness(const AbstractSettings& settings,
+                 const PreparedScan::ConstPtr& scan,
+                 const std::vector<ConvexPart>& parts,
+                 Run& run);
 
 /** \brief One cut of the merge tree. */
 struct CurvePoint {
@@ -30,9 +43,7 @@ struct CurvePoint {
  *  \param[in] simplified whether the hulls shall have as few vertices as may be
  *  \param[in,out] abstraction its last tree is whole */
 std::vector<CurvePoint>
-tightnessCurve(const TightnessMeter& meter,
-               bool simplified,
-               CIDConvexAbstraction<pcl::PointXYZ>& abstraction);
+tightnessCurve(const TightnessMeter& meter, bool simplified, Abstraction& abstraction);
 
 /** \brief As CSV: parts,height,vertices,max_concavity,mean_concavity,free_share,
  *  free_volume,volume. */

@@ -9,7 +9,11 @@
 
 #include "session_settings.h"
 
+#include "parameter.h"
+
 #include <pcl_cid/cid_label_propagation.h>
+
+#include <utility>
 
 namespace pcl_cid::tools {
 namespace {
@@ -34,7 +38,35 @@ forEachPair(Session& session, Tool& tool, const Visit& visit)
   visit(session.keep_zeros, tool.keep_zeros);
 }
 
+template <typename Session>
+Session
+prepare(const Settings& settings,
+        const LoadedScan& scan,
+        const ExecutionOptions& execution)
+{
+  CIDLabelPropagation<pcl::PointXYZ> parameters;
+  configureGrouping(settings, scan, execution, parameters);
+  parameters.setInputCloud(scan.points.points);
+  const PreparedScan::ConstPtr prepared = parameters.prepare();
+  return Session(prepared, parameters.getGroupingSettings());
+}
+
 } // namespace
+
+void
+declareSessionOption(std::string& session, const std::string& help, CommandLine& line)
+{
+  line.text("session", "FILE", session, help + "; settings are those of the session");
+  line.exclude("session",
+               {"keep-zeros",
+                optionName(setting::seeds),
+                optionName(setting::coverage),
+                optionName(setting::samples),
+                optionName(setting::subsample),
+                optionName(setting::random_seed),
+                optionName(setting::start_index)});
+  line.exclude("session", rawScanOptionNames());
+}
 
 SessionSettings
 sessionSettingsOf(const Settings& settings)
@@ -55,16 +87,33 @@ useSettingsOf(const SessionSettings& session, Settings& settings)
   settings.subsample = 0;
 }
 
+std::vector<Report::Parameter>
+sessionParametersOf(const std::string& session, const Settings& settings)
+{
+  std::vector<Report::Parameter> list{
+      {"session", session},
+      parameter(setting::samples, settings.samples),
+      parameter(setting::random_seed, settings.random_seed),
+      parameter(setting::threads, settings.threads)};
+  for (Report::Parameter& each : parametersOf(settings.raw_scan))
+    list.push_back(std::move(each));
+  return list;
+}
+
 LabelSession
 prepareSession(const Settings& settings,
                const LoadedScan& scan,
                const ExecutionOptions& execution)
 {
-  CIDLabelPropagation<pcl::PointXYZ> parameters;
-  configureGrouping(settings, scan, execution, parameters);
-  parameters.setInputCloud(scan.points.points);
-  const PreparedScan::ConstPtr prepared = parameters.prepare();
-  return LabelSession(prepared, parameters.getGroupingSettings());
+  return prepare<LabelSession>(settings, scan, execution);
+}
+
+PartSession
+preparePartSession(const Settings& settings,
+                   const LoadedScan& scan,
+                   const ExecutionOptions& execution)
+{
+  return prepare<PartSession>(settings, scan, execution);
 }
 
 } // namespace pcl_cid::tools

@@ -9,15 +9,25 @@
 
 #pragma once
 
+#include "command_line.h"
 #include "common_settings.h"
 #include "loaded_scan.h"
 
 #include <pcl_cid/core/label_session.h>
+#include <pcl_cid/core/part_session.h>
+#include <pcl_cid/io/report.h>
 #include <pcl_cid/io/session_file.h>
 
 #include <string>
+#include <vector>
 
 namespace pcl_cid::tools {
+
+/** \brief Declare `--session`, beside which no option can be given whose setting is the
+ *  session's.
+ *  \param[in] help what the tool does with it */
+void
+declareSessionOption(std::string& session, const std::string& help, CommandLine& line);
 
 /** \brief What a new session has from the command line. */
 SessionSettings
@@ -27,11 +37,21 @@ sessionSettingsOf(const Settings& settings);
 void
 useSettingsOf(const SessionSettings& session, Settings& settings);
 
+/** \brief The settings with which a session was done again, for the report. */
+std::vector<Report::Parameter>
+sessionParametersOf(const std::string& session, const Settings& settings);
+
 /** \brief A session in which nothing was done, on the points of a scan.
  *  \throws CIDException, CIDCancelled as the preparation does */
 LabelSession
 prepareSession(const Settings& settings,
                const LoadedScan& scan,
                const ExecutionOptions& execution);
+
+/** \brief The same for its parts. */
+PartSession
+preparePartSession(const Settings& settings,
+                   const LoadedScan& scan,
+                   const ExecutionOptions& execution);
 
 } // namespace pcl_cid::tools

@@ -75,6 +75,12 @@ public:
     return *scan_;
   }
 
+  const PreparedScan::ConstPtr&
+  sharedScan() const
+  {
+    return scan_;
+  }
+
   /** \brief Do something.
    *  \throws CIDException when it is not possible: there is no such part, a part is one
    *  group and cannot be split, there are not so many groups, nothing is left to take
