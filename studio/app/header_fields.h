@@ -59,4 +59,34 @@ textIn(const nlohmann::json& header, const char* name, const char* otherwise)
   return header.contains(name) ? textIn(header, name) : otherwise;
 }
 
+/** \throws CIDException when it is missing or no number of a part */
+inline int
+partIn(const nlohmann::json& header, const char* name)
+{
+  const std::uint32_t number = numberIn(header, name);
+  if (number > static_cast<std::uint32_t>(std::numeric_limits<int>::max()))
+    throw CIDException("there is no part " + std::to_string(number));
+  return static_cast<int>(number);
+}
+
+/** \throws CIDException when it is neither true nor false */
+inline bool
+truthIn(const nlohmann::json& header, const char* name)
+{
+  const auto found = header.find(name);
+  if (found == header.end() || !found->is_boolean())
+    throw CIDException("'" + std::string(name) + "' must be true or false");
+  return found->get<bool>();
+}
+
+/** \throws CIDException when it is missing or no list */
+inline const nlohmann::json&
+listIn(const nlohmann::json& header, const char* name)
+{
+  const auto found = header.find(name);
+  if (found == header.end() || !found->is_array())
+    throw CIDException("'" + std::string(name) + "' must be a list");
+  return *found;
+}
+
 } // namespace pcl_cid::studio

@@ -170,17 +170,6 @@ formatOf(const std::string& word)
   throw CIDException("there is no format '" + word + "'; there are " + all);
 }
 
-void
-requireFileName(const std::string& name)
-{
-  const auto is_control = [](unsigned char c) { return c < ' ' || c == 127; };
-  if (name.find('/') != std::string::npos || name.front() == '.' ||
-      std::any_of(name.begin(), name.end(), is_control))
-    throw CIDException("the name '" + std::string(name.c_str()) +
-                       "' must be that of a file, without folders, control characters "
-                       "and a dot before it");
-}
-
 } // namespace
 
 LabelExporter::LabelExporter(const LabelledCloud& cloud,
@@ -196,7 +185,7 @@ LabelExporter::LabelExporter(const LabelledCloud& cloud,
 {
 }
 
-ExportedLabels
+ExportedFiles
 LabelExporter::write(const LabelSession& session,
                      const std::string& format,
                      const std::string& name,

@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "exported_files.h"
+
 #include <pcl_cid/core/label_session.h>
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/labelled_cloud.h>
@@ -17,14 +19,6 @@
 #include <vector>
 
 namespace pcl_cid::studio {
-
-/** \brief What was written. */
-struct ExportedLabels {
-  /** Files, or the folder of those that are one. */
-  std::vector<std::string> files;
-  /** A sentence for each thing that the format cannot say. */
-  std::vector<std::string> remarks;
-};
 
 /** \brief Writes the labels of sessions of one scan into one folder. */
 class LabelExporter {
@@ -46,7 +40,7 @@ public:
    *  \param[in] clean_up see LabelSession::cleanedLabels()
    *  \throws CIDException when there is no such format, the name has a folder, or
    *  writing fails */
-  ExportedLabels
+  ExportedFiles
   write(const LabelSession& session,
         const std::string& format,
         const std::string& name,

@@ -68,6 +68,7 @@ factsOf(const StudioSettings& settings, const LoadedScan& scan, const PointSet& 
   const std::string axes = "xyz";
   facts.up = Eigen::Vector3f::Unit(static_cast<Eigen::Index>(axes.find(settings.up)));
   facts.classes = settings.classes;
+  facts.meshes = partMeshes();
   return facts;
 }
 
@@ -196,11 +197,11 @@ serve(StudioSettings& settings)
   const Places places(points, scan.cloud.size());
   const ScanResources resources(
       *page, factsOf(settings, scan, points), points, places, colorsToShow(scan, run));
-  LabelExporter exporter(scan.cloud,
-                         scan.points,
-                         inputsOf(settings),
-                         fs::absolute(settings.session).parent_path().string(),
-                         scanName(settings.input));
+  const std::string folder = fs::absolute(settings.session).parent_path().string();
+  const std::string name = scanName(settings.input);
+  LabelExporter exporter(scan.cloud, scan.points, inputsOf(settings), folder, name);
+  const PartExporter part_exporter(
+      scan, settings.parts, inputsOf(settings), folder, name);
   SessionWorker worker(
       [&](const ExecutionOptions& execution) {
         auto session = std::make_unique<RecordedSession>(
@@ -212,9 +213,10 @@ serve(StudioSettings& settings)
         return session;
       },
       places,
-      scan.points,
+      scan,
       exporter,
-      settings.threads);
+      settings.parts,
+      part_exporter);
   LocalServer server(resources, worker, settings.port);
   server.stopOnSignals();
   worker.start(server);

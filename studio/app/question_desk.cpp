@@ -176,11 +176,11 @@ QuestionDesk::exportLabels(const Frame& question,
   const auto clean = question.header.find("clean_up");
   const bool clean_up =
       clean != question.header.end() && clean->is_boolean() && clean->get<bool>();
-  const ExportedLabels exported = exporter_.write(session_,
-                                                  textIn(question.header, "format"),
-                                                  textIn(question.header, "file", ""),
-                                                  clean_up,
-                                                  execution);
+  const ExportedFiles exported = exporter_.write(session_,
+                                                 textIn(question.header, "format"),
+                                                 textIn(question.header, "file", ""),
+                                                 clean_up,
+                                                 execution);
   return {{{"files", exported.files}, {"remarks", exported.remarks}}, {}};
 }
 

@@ -24,6 +24,7 @@ RecordedSession::RecordedSession(LabelSession session,
   revision_ = replaySession(file.record(), file.path(), session_, execution);
   if (revision_ < recorded)
     file_.dropLast();
+  revision_ += file.record().part_actions.size();
 }
 
 pcl::Indices
@@ -39,6 +40,29 @@ RecordedSession::apply(const LabelAction& action, const ExecutionOptions& execut
     file_.dropLast();
     throw;
   }
+}
+
+const PartSession&
+RecordedSession::parts(const ExecutionOptions& execution)
+{
+  if (!parts_) {
+    const Grouping& grouping = session_.grouping();
+    PartSession parts(grouping.sharedScan(), grouping.settings());
+    replayParts(file_.record(), file_.path(), parts, execution);
+    parts_ = std::move(parts);
+  }
+  return *parts_;
+}
+
+void
+RecordedSession::applyToParts(const PartAction& action,
+                              const ExecutionOptions& execution)
+{
+  PartSession next = parts(execution);
+  next.apply(action, execution);
+  file_.append(action);
+  parts_ = std::move(next);
+  ++revision_;
 }
 
 } // namespace pcl_cid::studio

@@ -13,6 +13,7 @@
 
 #include <pcl_cid/core/label_doubt.h>
 #include <pcl_cid/core/label_session.h>
+#include <pcl_cid/core/part_session.h>
 #include <pcl_cid/io/session_file.h>
 
 #include <memory>
@@ -48,8 +49,21 @@ public:
   pcl::Indices
   apply(const LabelAction& action, const ExecutionOptions& execution = {});
 
+  /** \brief The parts of the scan. When they are first asked for, all is done that the
+   *  file says of them.
+   *  \throws CIDException when that is not possible, CIDCancelled */
+  const PartSession&
+  parts(const ExecutionOptions& execution = {});
+
+  /** \brief As PartSession::apply(); on the disk before it counts.
+   *  \throws CIDException, as above, and when the disk does not take it; then nothing
+   *  is done */
+  void
+  applyToParts(const PartAction& action, const ExecutionOptions& execution = {});
+
 private:
   LabelSession session_;
+  std::optional<PartSession> parts_; ///< made when they are asked for
   SessionFile& file_;
   std::size_t revision_;
 };

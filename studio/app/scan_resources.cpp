@@ -9,6 +9,7 @@
 
 #include "scan_resources.h"
 
+#include <pcl_cid/io/scene_formats.h>
 #include <pcl_cid/version.h>
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,16 @@ numbers(const std::vector<Value>& values)
           false,
           {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)},
           nullptr};
+}
+
+/** The scenes that parts are exported in. */
+Json
+scenes()
+{
+  Json list = Json::array();
+  for (const SceneFormat& format : sceneFormats())
+    list.push_back({{"name", format.option}, {"help", format.help}});
+  return list;
 }
 
 } // namespace
@@ -69,6 +80,8 @@ ScanResources::ScanResources(const Resources& page,
                 {"up", triple(facts.up)},
                 {"has_color", !colors.empty()},
                 {"classes", std::move(classes)},
+                {"meshes", facts.meshes},
+                {"scenes", scenes()},
                 {"version", PCL_CID_VERSION}}
                .dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -32,6 +32,7 @@ struct ScanFacts {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::vector<std::string> classes;
+  std::vector<std::string> meshes; ///< extensions that parts are exported in
 };
 
 /** \brief The page, and a scan at `/api/...` (doc/studio_protocol.md). */

@@ -35,14 +35,16 @@ refusal(const Json& id, const std::string& sentence)
 
 SessionWorker::SessionWorker(OpenSession open,
                              const Places& places,
-                             const CloudPoints& points,
+                             const tools::LoadedScan& scan,
                              LabelExporter& exporter,
-                             unsigned int threads)
+                             const tools::AbstractSettings& settings,
+                             const PartExporter& part_exporter)
 : open_(std::move(open))
 , places_(places)
-, points_(points)
+, scan_(scan)
 , exporter_(exporter)
-, threads_(threads)
+, settings_(settings)
+, part_exporter_(part_exporter)
 {
 }
 
@@ -112,11 +114,13 @@ SessionWorker::promoted(ClientId client)
 void
 SessionWorker::work()
 {
-  session_ = open_({threads_, progressTo(std::nullopt, nullptr, [this] {
+  session_ = open_({settings_.threads, progressTo(std::nullopt, nullptr, [this] {
                       return !messages_.isClosed();
                     })});
-  desk_ =
-      std::make_unique<QuestionDesk>(session_->session(), places_, points_, exporter_);
+  desk_ = std::make_unique<QuestionDesk>(
+      session_->session(), places_, scan_.points, exporter_);
+  part_desk_ =
+      std::make_unique<PartDesk>(*session_, places_, scan_, settings_, part_exporter_);
   while (const std::optional<Message> message = messages_.pop())
     message->is_promotion ? tellPromotion(*message) : handle(*message);
 }
@@ -158,6 +162,10 @@ SessionWorker::change(const Message& message, const Json& id)
 {
   if (message.client != writer_)
     throw CIDException("another page works on this session; this one looks on");
+  if (const auto on_parts = partActionFrom(message.frame.header)) {
+    changeParts(*on_parts, message, id);
+    return;
+  }
   const LabelAction action = actionFrom(message.frame, places_);
   const pcl::Indices changed = session_->apply(action, executionOf(message, id));
   const std::vector<NamedArray> arrays =
@@ -171,9 +179,29 @@ SessionWorker::change(const Message& message, const Json& id)
 }
 
 void
+SessionWorker::changeParts(const PartAction& action,
+                           const Message& message,
+                           const Json& id)
+{
+  const ExecutionOptions execution = executionOf(message, id);
+  session_->applyToParts(action, execution);
+  Json header{{"event", "parts"},
+              {"revision", session_->revision()},
+              {"writer", false},
+              {"parts", part_desk_->summary(execution)}};
+  server_->broadcast({header, {}}, message.client);
+  header.erase("event");
+  header.update({{"id", id}, {"ok", true}, {"writer", true}});
+  server_->send(message.client, {std::move(header), {}});
+}
+
+void
 SessionWorker::answer(const Message& message, const Json& id)
 {
-  Frame answer = desk_->answer(message.frame, executionOf(message, id));
+  const ExecutionOptions execution = executionOf(message, id);
+  Frame answer = PartDesk::answers(message.frame.header)
+                     ? part_desk_->answer(message.frame, execution)
+                     : desk_->answer(message.frame, execution);
   if (message.frame.header["ask"] == "state")
     answer.header.update(
         {{"revision", session_->revision()}, {"writer", message.client == writer_}});
@@ -190,14 +218,15 @@ SessionWorker::summaryFor(bool is_writer) const
 }
 
 /** Actions that come and go quickly are done to their end: the callback makes them work
- *  on a copy. A proposal may take long, and can be given up with the program. */
+ *  on a copy. A proposal or a decomposition may take long, and can be given up with the
+ *  program. */
 ExecutionOptions
 SessionWorker::executionOf(const Message& message, const Json& id)
 {
   const auto verb = message.frame.header.find("do");
-  if (verb != message.frame.header.end() && *verb != "propose")
-    return {threads_, {}};
-  return {threads_, progressTo(message.client, id, [this, &message] {
+  if (verb != message.frame.header.end() && *verb != "propose" && *verb != "decompose")
+    return {settings_.threads, {}};
+  return {settings_.threads, progressTo(message.client, id, [this, &message] {
             return !messages_.isPointless(message);
           })};
 }

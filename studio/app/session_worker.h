@@ -11,6 +11,7 @@
 
 #include "label_export.h"
 #include "message_queue.h"
+#include "part_desk.h"
 #include "places.h"
 #include "question_desk.h"
 #include "recorded_session.h"
@@ -37,15 +38,16 @@ using OpenSession =
  */
 class SessionWorker : public SessionHandler {
 public:
-  /** \param[in] places,points,exporter must outlive this
+  /** \param[in] places,scan,exporter,settings,part_exporter must outlive this
    *  \param[in] open called once, by the thread that works; its progress is told to the
    *  pages that are there
-   *  \param[in] threads for the work on the session */
+   *  \param[in] settings of hulls; its threads are those for all work on the session */
   SessionWorker(OpenSession open,
                 const Places& places,
-                const CloudPoints& points,
+                const tools::LoadedScan& scan,
                 LabelExporter& exporter,
-                unsigned int threads);
+                const tools::AbstractSettings& settings,
+                const PartExporter& part_exporter);
   ~SessionWorker() override;
 
   /** \brief Begin to work.
@@ -88,6 +90,11 @@ private:
   change(const Message& message, const nlohmann::json& id);
 
   void
+  changeParts(const PartAction& action,
+              const Message& message,
+              const nlohmann::json& id);
+
+  void
   answer(const Message& message, const nlohmann::json& id);
 
   nlohmann::json
@@ -103,14 +110,16 @@ private:
 
   OpenSession open_;
   const Places& places_;
-  const CloudPoints& points_;
+  const tools::LoadedScan& scan_;
   LabelExporter& exporter_;
-  unsigned int threads_;
+  const tools::AbstractSettings& settings_;
+  const PartExporter& part_exporter_;
   MessageQueue messages_;
   std::atomic<ClientId> writer_{0}; ///< 0: none
   LocalServer* server_ = nullptr;
   std::unique_ptr<RecordedSession> session_;
   std::unique_ptr<QuestionDesk> desk_;
+  std::unique_ptr<PartDesk> part_desk_;
   std::exception_ptr failure_;
   std::thread thread_; ///< works with all that stands above
 };

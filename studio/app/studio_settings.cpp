@@ -143,6 +143,7 @@ readCommandLine(int argc, const char* const* argv, StudioSettings& settings)
   line.setting(setting::random_seed, settings.random_seed);
   line.optional(setting::start_index, settings.start_index);
   tools::declareRawScanOptions(settings.raw_scan, line);
+  declareHullOptions(settings.parts, line);
   declareReadingOptions(settings, line);
   line.setting(setting::threads, settings.threads);
   line.flag("quiet", settings.quiet, "print nothing but the address and errors");
@@ -153,6 +154,8 @@ readCommandLine(int argc, const char* const* argv, StudioSettings& settings)
   settings.port = static_cast<std::uint16_t>(port);
   if (settings.session.empty())
     settings.session = defaultSession(settings.input);
+  settings.parts.session = settings.session;
+  settings.parts.threads = settings.threads;
   return true;
 }
 

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "abstract/abstract_settings.h"
 #include "run/common_settings.h"
 
 #include <cstdint>
@@ -24,7 +25,8 @@ struct StudioSettings : tools::Settings {
   std::string session; ///< its file
   std::string import;  ///< a field of INPUT, or a table of seeds
   std::vector<std::string> classes;
-  std::string page; ///< folder of it
+  tools::AbstractSettings parts; ///< how hulls are made, and what else parts need
+  std::string page;              ///< folder of it
   std::string up = "z";
   std::uint16_t port = 0;
   bool no_browser = false;

@@ -143,4 +143,43 @@ groupOf(const LabelSession& session, pcl::index_t seed)
   return points;
 }
 
+Json
+partsOf(const PartSession& parts, std::size_t decomposition)
+{
+  Json heights = Json::array();
+  const bool has_parts = parts.decomposition() != nullptr;
+  if (has_parts)
+    for (const MergeStep& step : parts.decomposition()->tree.steps())
+      heights.push_back(step.height);
+  Json list = Json::array();
+  for (const ChosenPart& part : parts.parts())
+    list.push_back({{"part", part.number()},
+                    {"groups", part.groups},
+                    {"size", part.size},
+                    {"height", part.height ? Json(*part.height) : Json()},
+                    {"splits", part.splits},
+                    {"dropped", part.dropped},
+                    {"exact", part.exact}});
+  return {{"groups", has_parts ? parts.decomposition()->tree.numberOfGroups() : 0},
+          {"decomposition", decomposition},
+          {"heights", std::move(heights)},
+          {"list", std::move(list)},
+          {"undo", parts.undoable()},
+          {"redo", parts.redoable()}};
+}
+
+std::vector<NamedArray>
+partGroups(const PartSession& parts, const Places& places)
+{
+  Numbers groups;
+  if (parts.decomposition()) {
+    groups.reserve(places.size());
+    for (std::size_t place = 0; place < places.size(); ++place)
+      groups.push_back(static_cast<std::uint32_t>(
+          parts.decomposition()
+              ->groups[static_cast<std::size_t>(places.point(place))]));
+  }
+  return {{"part_groups", std::move(groups)}};
+}
+
 } // namespace pcl_cid::studio

@@ -13,6 +13,7 @@
 #include "server/frame.h"
 
 #include <pcl_cid/core/label_session.h>
+#include <pcl_cid/core/part_session.h>
 
 namespace pcl_cid::studio {
 
@@ -33,5 +34,15 @@ changedLabels(const LabelSession& session,
 /** \brief The points of the group of a seed. */
 pcl::Indices
 groupOf(const LabelSession& session, pcl::index_t seed);
+
+/** \brief The parts, as `"parts"` of the protocol.
+ *  \param[in] decomposition number of the decomposition */
+nlohmann::json
+partsOf(const PartSession& parts, std::size_t decomposition);
+
+/** \brief The group of each place, as the array `part_groups`; empty before there are
+ *  any. */
+std::vector<NamedArray>
+partGroups(const PartSession& parts, const Places& places);
 
 } // namespace pcl_cid::studio

@@ -94,29 +94,6 @@ declareSessionParts(AbstractSettings& settings, CommandLine& line)
                 "curve"});
 }
 
-void
-declareHullOptions(AbstractSettings& settings, CommandLine& line)
-{
-  line.group(setting::min_thickness.group);
-  line.setting(setting::min_thickness, settings.hulls.min_thickness);
-  line.optional(setting::max_vertices,
-                settings.max_vertices,
-                "auto",
-                settings.fewest_vertices,
-                "auto: as few as --max-error allows, or, without it, so that none "
-                "stands out by more than " +
-                    shortNumber(100.0 * simplification_share) +
-                    " % of the hull's diagonal");
-  line.setting(setting::padding, settings.hulls.padding);
-  line.setting(setting::trim_distance, settings.hulls.trim_distance);
-  line.setting(
-      setting::free_distance, settings.free_distance, "for --report and --curve");
-  line.flag("verify",
-            settings.verify,
-            "read the meshes again and check what hulls guarantee; nothing is written "
-            "when one fails");
-}
-
 /** Each rule has options of its own. */
 void
 requireFittingRule(const AbstractSettings& settings)
@@ -173,6 +150,25 @@ AbstractSettings::isAboutGroups() const
          start_index || group_samples != setting::group_samples.initial;
 }
 
+void
+declareHullOptions(AbstractSettings& settings, CommandLine& line)
+{
+  line.group(setting::min_thickness.group);
+  line.setting(setting::min_thickness, settings.hulls.min_thickness);
+  line.optional(setting::max_vertices,
+                settings.max_vertices,
+                "auto",
+                settings.fewest_vertices,
+                "auto: as few as --max-error allows, or, without it, so that none "
+                "stands out by more than " +
+                    shortNumber(100.0 * simplification_share) +
+                    " % of the hull's diagonal");
+  line.setting(setting::padding, settings.hulls.padding);
+  line.setting(setting::trim_distance, settings.hulls.trim_distance);
+  line.setting(
+      setting::free_distance, settings.free_distance, "for figures of tightness");
+}
+
 bool
 readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
 {
@@ -180,6 +176,10 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   declareMergeOptions(settings, line);
   declareSessionParts(settings, line);
   declareHullOptions(settings, line);
+  line.flag("verify",
+            settings.verify,
+            "read the meshes again and check what hulls guarantee; nothing is written "
+            "when one fails");
   declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);

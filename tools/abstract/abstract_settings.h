@@ -60,6 +60,10 @@ struct AbstractSettings : Settings {
   isAboutGroups() const;
 };
 
+/** \brief Begin the headline of hulls, with the options that say how they are made. */
+void
+declareHullOptions(AbstractSettings& settings, CommandLine& line);
+
 /** \brief Read the command line, or answer `--help` and `--version`.
  *  \return whether there is work to do
  *  \throws UsageError */

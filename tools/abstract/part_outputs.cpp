@@ -119,14 +119,14 @@ verify(const AbstractSettings& settings,
 /** What checks the bound on the error. */
 std::optional<ErrorVerification>
 errorVerification(const AbstractSettings& settings,
-                  const LoadedScan& scan,
+                  const CloudPoints& points,
                   const Viewpoints& viewpoints)
 {
   if (!settings.max_error)
     return std::nullopt;
   return std::optional<ErrorVerification>(
       std::in_place,
-      scan.points,
+      points,
       paddedBound(*settings.max_error, settings.hulls.padding),
       viewpoints);
 }
@@ -147,19 +147,17 @@ void
 writeParts(const AbstractSettings& settings,
            const Viewpoints& viewpoints,
            const AbstractedScan& abstracted,
-           LoadedScan& scan,
+           const CloudPoints& points,
+           LabelledCloud& labelled,
            Run& run)
 {
   describe(settings, abstracted, run);
-  const SceneDescription scene = save(settings, abstracted, scan.cloud, run);
+  const SceneDescription scene = save(settings, abstracted, labelled, run);
   if (settings.verify) {
     const std::optional<ErrorVerification> error =
-        errorVerification(settings, scan, viewpoints);
+        errorVerification(settings, points, viewpoints);
     verify(settings,
-           {abstracted,
-            scan.points,
-            FileCoordinates(scan.cloud),
-            error ? &*error : nullptr},
+           {abstracted, points, FileCoordinates(labelled), error ? &*error : nullptr},
            scene,
            run);
   }

@@ -202,7 +202,7 @@ runAbstract(const AbstractSettings& settings)
   const Viewpoints viewpoints = localViewpoints(settings, read, scan);
   requireOutputsCanHold(settings, scan, run);
   const AbstractedScan result = abstract(settings, scan, viewpoints, run);
-  writeParts(settings, viewpoints, result, scan, run);
+  writeParts(settings, viewpoints, result, scan.points, scan.cloud, run);
 }
 
 } // namespace

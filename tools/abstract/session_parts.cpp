@@ -156,7 +156,7 @@ writeSessionParts(AbstractSettings settings)
   run.end(std::to_string(record.part_actions.size()) + " actions on parts", "replay");
 
   const AbstractedScan abstracted = abstractChosenParts(settings, session, scan, run);
-  writeParts(settings, {}, abstracted, scan, run);
+  writeParts(settings, {}, abstracted, scan.points, scan.cloud, run);
 }
 
 } // namespace pcl_cid::tools
