@@ -85,6 +85,7 @@ protected:
     for (Eigen::Vector3f& point : second)
       point.x() += 3.0f;
     scene_ = partsOf("boxes", {randomCube(50, 1), second}, Eigen::Vector3d::Zero());
+    abstracted_.parts = scene_.parts;
     Points all;
     for (const Eigen::Vector3d& point : scene_.points)
       all.push_back(point.cast<float>());
@@ -138,7 +139,7 @@ protected:
   tools::Verification
   verification() const
   {
-    return {scene_.parts, points_, FileCoordinates(cloud_), options_, nullptr};
+    return {abstracted_, points_, FileCoordinates(cloud_), nullptr};
   }
 
   static std::string
@@ -172,7 +173,7 @@ protected:
   CloudPoints points_;
   LabelledCloud cloud_;
   SceneDescription description_;
-  ConvexPartOptions options_;
+  tools::AbstractedScan abstracted_; ///< what the files are said to be of
 };
 
 TEST_F(HullVerification, PassesFilesAsTheyWereWritten)
@@ -220,15 +221,15 @@ TEST_F(HullVerification, FindsThatAHullIsMissing)
 
 TEST_F(HullVerification, HoldsHullsToTheOptions)
 {
-  options_.max_vertices = 4;
+  abstracted_.hull_options.max_vertices = 4;
   EXPECT_NE(complaintAbout(scene_.parts, "hulls.ply").find("too many vertices"),
             std::string::npos);
-  options_ = {};
-  options_.min_thickness = 2.0; // the boxes are 1 m wide
+  abstracted_.hull_options = {};
+  abstracted_.hull_options.min_thickness = 2.0; // the boxes are 1 m wide
   EXPECT_NE(complaintAbout(scene_.parts, "hulls.ply").find("too thin"),
             std::string::npos);
-  options_ = {};
-  options_.padding = 0.1;
+  abstracted_.hull_options = {};
+  abstracted_.hull_options.padding = 0.1;
   EXPECT_NE(complaintAbout(scene_.parts, "hulls.ply").find("is not contained"),
             std::string::npos);
 }

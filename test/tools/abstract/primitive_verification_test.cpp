@@ -32,6 +32,7 @@ class PrimitiveVerification : public testing::Test {
 protected:
   PrimitiveVerification() : bodies_(simpleBodies({}, Eigen::Vector3d::Zero()))
   {
+    abstracted_.parts = bodies_.content.parts;
     Points all;
     for (const Eigen::Vector3d& point : bodies_.content.points)
       all.push_back(point.cast<float>());
@@ -57,11 +58,10 @@ protected:
       format.write(stream, bodies.content.parts, changed);
     });
     try {
-      verifyPrimitives(
-          file,
-          bodies.description,
-          {bodies.content.parts, points_, FileCoordinates(cloud_), options_, error},
-          outputs);
+      verifyPrimitives(file,
+                       bodies.description,
+                       {abstracted_, points_, FileCoordinates(cloud_), error},
+                       outputs);
     }
     catch (const CIDException& complaint) {
       return complaint.what();
@@ -73,7 +73,7 @@ protected:
   SimpleBodies bodies_;
   CloudPoints points_;
   LabelledCloud cloud_;
-  ConvexPartOptions options_;
+  tools::AbstractedScan abstracted_; ///< what the files are said to be of
 };
 
 void
@@ -125,7 +125,7 @@ TEST_F(PrimitiveVerification, HoldsThemToThePaddingAndTheBound)
   expectSaid(complaintAbout(
                  format, 1, [](HullPrimitive&) {}, &tight),
              "of part_001 breaks a guarantee: it holds a place");
-  options_.padding = 0.1;
+  abstracted_.hull_options.padding = 0.1;
   expectSaid(complaintAbout(format, 0, [](HullPrimitive&) {}), "is not contained");
 }
 
