@@ -12,7 +12,7 @@ import { copyFileSync, existsSync, mkdtempSync, readFileSync, rmSync } from 'nod
 import { request } from 'node:http';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
@@ -20,6 +20,8 @@ const MODULES =
   process.env.STUDIO_NODE_MODULES ?? join(ROOT, 'studio/page/node_modules');
 const PROGRAM =
   process.env.STUDIO_PROGRAM ?? join(ROOT, 'build/dev/bin/pcl_cid_studio');
+/** Where the other programs are. */
+export const TOOLS = dirname(PROGRAM);
 const WebSocket = createRequire(join(MODULES, 'here.js'))('ws');
 
 export const NO_GROUP = 0xffffffff;
