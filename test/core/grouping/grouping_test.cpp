@@ -12,6 +12,7 @@
 #include "clouds.h"
 #include "grouping/connected_groups.h"
 #include "prepared_points.h"
+#include "sanitizers.h"
 #include "scan/working_set.h"
 
 #include <pcl_cid/core/concavity.h>
@@ -458,10 +459,12 @@ cloudsAndCrops()
 class GroupingHistoryThreads : public testing::TestWithParam<NamedPoints> {};
 
 /** 84 histories of 5 steps for each of 12 clouds make a thousand. */
+constexpr std::uint64_t histories = is_sanitized ? 28 : 84;
+
 TEST_P(GroupingHistoryThreads, EqualsScratchAndAllPairs)
 {
   const std::vector<NamedScan> scans = scansOf(GetParam().points);
-  for (std::uint64_t history = 0; history < 84; ++history) {
+  for (std::uint64_t history = 0; history < histories; ++history) {
     const NamedScan& scan = scans[history % scans.size()];
     SCOPED_TRACE(scan.name + ", history " + std::to_string(history));
     GroupingSettings settings;
