@@ -82,7 +82,7 @@ PartDesk::answer(const Frame& question, const ExecutionOptions& execution)
   if (word == ask_hulls)
     return hulls(question, session);
   if (word == ask_tightness)
-    return tightness(question, session, execution);
+    return tightness(question, session);
   return exportParts(question, session);
 }
 
@@ -135,13 +135,11 @@ PartDesk::hulls(const Frame& question, const PartSession& session)
 }
 
 Frame
-PartDesk::tightness(const Frame& question,
-                    const PartSession& session,
-                    const ExecutionOptions& execution)
+PartDesk::tightness(const Frame& question, const PartSession& session)
 {
   Json list = Json::array();
   for (const ChosenPart& part : partsIn(question.header, session)) {
-    const HullTightness& figures = hulls_.tightnessOf(part, session, execution);
+    const HullTightness& figures = hulls_.tightnessOf(part, session);
     list.push_back({{"part", part.number()},
                     {"max_concavity", figures.max_concavity},
                     {"mean_concavity", figures.mean_concavity},

@@ -51,9 +51,7 @@ private:
   hulls(const Frame& question, const PartSession& session);
 
   Frame
-  tightness(const Frame& question,
-            const PartSession& session,
-            const ExecutionOptions& execution);
+  tightness(const Frame& question, const PartSession& session);
 
   Frame
   exportParts(const Frame& question, const PartSession& session) const;

@@ -47,15 +47,13 @@ PartHulls::hullOf(const ChosenPart& part, const PartSession& session)
 }
 
 const HullTightness&
-PartHulls::tightnessOf(const ChosenPart& part,
-                       const PartSession& session,
-                       const ExecutionOptions& execution)
+PartHulls::tightnessOf(const ChosenPart& part, const PartSession& session)
 {
   Hull& hull = find(part, session);
   if (!meter_) {
     TightnessOptions options;
     options.free_distance = settings_.free_distance;
-    options.execution = execution;
+    options.execution.threads = settings_.threads;
     meter_ = std::make_unique<TightnessMeter>(session.sharedScan(), options);
   }
   if (!hull.tightness)

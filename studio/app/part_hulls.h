@@ -36,12 +36,9 @@ public:
   const ConvexPart&
   hullOf(const ChosenPart& part, const PartSession& session);
 
-  /** \brief Its figures.
-   *  \throws CIDCancelled */
+  /** \brief Its figures. */
   const HullTightness&
-  tightnessOf(const ChosenPart& part,
-              const PartSession& session,
-              const ExecutionOptions& execution);
+  tightnessOf(const ChosenPart& part, const PartSession& session);
 
 private:
   /** Groups, and whether it is exact. */

@@ -39,7 +39,7 @@ protected:
     const PreparedScan::ConstPtr prepared = parameters.prepare();
     LabelSession session(prepared, parameters.getGroupingSettings());
     SessionFile file(session_, identityOf(readCloud(scan_)), settings);
-    for (const LabelAction& action : doRandomActions(60, 3, session))
+    for (const LabelAction& action : doRandomActions(300, 3, session))
       file.append(action);
     labels_ = session.labels();
     cleaned_ = session.cleanedLabels();
