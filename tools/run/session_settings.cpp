@@ -9,7 +9,11 @@
 
 #include "session_settings.h"
 
+#include "parameter.h"
+
 #include <pcl_cid/cid_label_propagation.h>
+
+#include <utility>
 
 namespace pcl_cid::tools {
 namespace {
@@ -36,6 +40,21 @@ forEachPair(Session& session, Tool& tool, const Visit& visit)
 
 } // namespace
 
+void
+declareSessionOption(std::string& session, const std::string& help, CommandLine& line)
+{
+  line.text("session", "FILE", session, help + "; settings are those of the session");
+  line.exclude("session",
+               {"keep-zeros",
+                optionName(setting::seeds),
+                optionName(setting::coverage),
+                optionName(setting::samples),
+                optionName(setting::subsample),
+                optionName(setting::random_seed),
+                optionName(setting::start_index)});
+  line.exclude("session", rawScanOptionNames());
+}
+
 SessionSettings
 sessionSettingsOf(const Settings& settings)
 {
@@ -53,6 +72,20 @@ useSettingsOf(const SessionSettings& session, Settings& settings)
     of_tool = of_session;
   });
   settings.subsample = 0;
+}
+
+std::vector<Report::Parameter>
+sessionParametersOf(const std::string& session, bool clean_up, const Settings& settings)
+{
+  std::vector<Report::Parameter> list{
+      {"session", session},
+      parameter(setting::clean_up, clean_up),
+      parameter(setting::samples, settings.samples),
+      parameter(setting::random_seed, settings.random_seed),
+      parameter(setting::threads, settings.threads)};
+  for (Report::Parameter& each : parametersOf(settings.raw_scan))
+    list.push_back(std::move(each));
+  return list;
 }
 
 LabelSession

@@ -9,15 +9,24 @@
 
 #pragma once
 
+#include "command_line.h"
 #include "common_settings.h"
 #include "loaded_scan.h"
 
 #include <pcl_cid/core/label_session.h>
+#include <pcl_cid/io/report.h>
 #include <pcl_cid/io/session_file.h>
 
 #include <string>
+#include <vector>
 
 namespace pcl_cid::tools {
+
+/** \brief Declare `--session`, beside which no option can be given whose setting is the
+ *  session's.
+ *  \param[in] help what the tool does with it */
+void
+declareSessionOption(std::string& session, const std::string& help, CommandLine& line);
 
 /** \brief What a new session has from the command line. */
 SessionSettings
@@ -26,6 +35,12 @@ sessionSettingsOf(const Settings& settings);
 /** \brief Let a session that is there decide: labels depend on its settings. */
 void
 useSettingsOf(const SessionSettings& session, Settings& settings);
+
+/** \brief The settings with which a session was done again, for the report. */
+std::vector<Report::Parameter>
+sessionParametersOf(const std::string& session,
+                    bool clean_up,
+                    const Settings& settings);
 
 /** \brief A session in which nothing was done, on the points of a scan.
  *  \throws CIDException, CIDCancelled as the preparation does */

@@ -8,11 +8,11 @@
  */
 
 #include "segment_settings.h"
-#include "session_labels.h"
 
 #include "heat_map.h"
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
+#include "run/session_settings.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/cloud_formats.h>
@@ -45,7 +45,15 @@ declareLabelOptions(SegmentSettings& settings, CommandLine& line)
             settings.labels_from,
             "propose seeds and read their labels from this field of INPUT; prints how "
             "many points then have the label that the field says");
-  declareSessionOption(settings.session, line);
+  declareSessionOption(
+      settings.session, "the labels of a session of pcl_cid_studio on INPUT", line);
+  line.exclude("session",
+               {"labels",
+                "labels-from",
+                "propose",
+                "cid-from",
+                "superpoints",
+                "scannet-submission"});
   line.choice(setting::clean_up, settings.clean_up);
 }
 

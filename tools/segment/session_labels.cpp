@@ -10,7 +10,6 @@
 #include "session_labels.h"
 
 #include "run/loaded_scan.h"
-#include "run/parameter.h"
 #include "run/session_settings.h"
 #include "segment_settings.h"
 
@@ -22,39 +21,13 @@ namespace {
 void
 describe(const SegmentSettings& settings, const LabelSession& session, Report& report)
 {
-  report.parameters = {{"session", settings.session},
-                       parameter(setting::clean_up, settings.clean_up),
-                       parameter(setting::samples, settings.samples),
-                       parameter(setting::random_seed, settings.random_seed),
-                       parameter(setting::threads, settings.threads)};
-  for (Report::Parameter& each : parametersOf(settings.raw_scan))
-    report.parameters.push_back(std::move(each));
+  report.parameters =
+      sessionParametersOf(settings.session, settings.clean_up, settings);
   for (const SessionSeed& seed : session.seeds())
     report.seed_labels.push_back(seed.label.value_or(0));
 }
 
 } // namespace
-
-void
-declareSessionOption(std::string& session, CommandLine& line)
-{
-  line.text("session",
-            "FILE",
-            session,
-            "the labels of a session of pcl_cid_studio on INPUT; settings are those of "
-            "the session");
-  line.exclude("session",
-               {"labels", "labels-from", "propose", "cid-from", "keep-zeros", "paper"});
-  line.exclude("session", {"superpoints", "scannet-submission"});
-  line.exclude("session",
-               {optionName(setting::seeds),
-                optionName(setting::coverage),
-                optionName(setting::samples),
-                optionName(setting::subsample),
-                optionName(setting::random_seed),
-                optionName(setting::start_index)});
-  line.exclude("session", rawScanOptionNames());
-}
 
 void
 writeSessionLabels(const std::string& tool, SegmentSettings settings)

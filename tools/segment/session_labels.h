@@ -9,17 +9,11 @@
 
 #pragma once
 
-#include "run/command_line.h"
-
 #include <string>
 
 namespace pcl_cid::tools {
 
 struct SegmentSettings;
-
-/** \brief Declare `--session`. */
-void
-declareSessionOption(std::string& session, CommandLine& line);
 
 /** \brief Do again what a session says, and write the labels that it leads to.
  *  \throws CIDException, Interrupted */

@@ -90,6 +90,10 @@ replaySession(const SessionRecord& record,
               LabelSession& session,
               const ExecutionOptions& execution = {});
 
+/** \brief What an action is called in a session file: `click`. */
+PCL_CID_IO_EXPORT const char*
+wordOf(const LabelAction& action);
+
 /** \brief A session file that is written: JSON lines, the first about scan and
  *  settings, each other an action, on the disk before append() returns.
  *
