@@ -131,6 +131,16 @@ TEST_F(Replay, TheLastScoreIsThatOfTheLabelsThatAreWritten)
     EXPECT_EQ(scores.back()["mean_iou"], score.mean_iou);
     EXPECT_EQ(scores.back()["recall50"], score.recall50);
     EXPECT_EQ(scores.back()["ap50"], score.ap50);
+    const Arguments evaluating{file("out.pcd"),
+                               truth_,
+                               "--protocol",
+                               "s3dis",
+                               "--report",
+                               file("evaluated.json")};
+    ASSERT_EQ(run("pcl_cid_evaluate", evaluating).exit_code, 0);
+    const Json evaluated = Json::parse(readText(file("evaluated.json")));
+    for (const char* const figure : {"recall50", "recall75", "ap50"})
+      EXPECT_EQ(scores.back()[figure], evaluated["mean"][figure]) << figure;
   }
 }
 
@@ -227,7 +237,7 @@ TEST_F(Replay, TheSessionDecidesAboutSettings)
                                    "--start-index",
                                    "--clicks",
                                    "--proposals"})
-    expectReplayRefused({option, "1"}, {"--session and " + std::string(option)}, 2);
+    expectReplayRefused({option, "4"}, {"--session and " + std::string(option)}, 2);
   expectReplayRefused({"--protocol", "corrective"}, {"--session and --protocol"}, 2);
   expectReplayRefused({"--paper"}, {"--session and --paper"}, 2);
   expectReplayRefused({"--keep-zeros"}, {"--session and --keep-zeros"}, 2);
