@@ -75,11 +75,10 @@ useSettingsOf(const SessionSettings& session, Settings& settings)
 }
 
 std::vector<Report::Parameter>
-sessionParametersOf(const std::string& session, bool clean_up, const Settings& settings)
+sessionParametersOf(const std::string& session, const Settings& settings)
 {
   std::vector<Report::Parameter> list{
       {"session", session},
-      parameter(setting::clean_up, clean_up),
       parameter(setting::samples, settings.samples),
       parameter(setting::random_seed, settings.random_seed),
       parameter(setting::threads, settings.threads)};

@@ -38,9 +38,7 @@ useSettingsOf(const SessionSettings& session, Settings& settings);
 
 /** \brief The settings with which a session was done again, for the report. */
 std::vector<Report::Parameter>
-sessionParametersOf(const std::string& session,
-                    bool clean_up,
-                    const Settings& settings);
+sessionParametersOf(const std::string& session, const Settings& settings);
 
 /** \brief A session in which nothing was done, on the points of a scan.
  *  \throws CIDException, CIDCancelled as the preparation does */

@@ -10,6 +10,7 @@
 #include "session_labels.h"
 
 #include "run/loaded_scan.h"
+#include "run/parameter.h"
 #include "run/session_settings.h"
 #include "segment_settings.h"
 
@@ -21,8 +22,8 @@ namespace {
 void
 describe(const SegmentSettings& settings, const LabelSession& session, Report& report)
 {
-  report.parameters =
-      sessionParametersOf(settings.session, settings.clean_up, settings);
+  report.parameters = sessionParametersOf(settings.session, settings);
+  report.parameters.push_back(parameter(setting::clean_up, settings.clean_up));
   for (const SessionSeed& seed : session.seeds())
     report.seed_labels.push_back(seed.label.value_or(0));
 }

@@ -10,6 +10,7 @@
 #include "replayed_session.h"
 
 #include "run/loaded_scan.h"
+#include "run/parameter.h"
 #include "run/raw_scan_options.h"
 #include "run/session_settings.h"
 
@@ -243,11 +244,10 @@ scoreSession(const SessionRecord& record, const SimulateSettings& settings, Run&
   Replay replay(settings, record, std::move(session), std::move(truth));
   std::vector<ReplayedAction> actions = replay.run(execution);
   run.end(std::to_string(actions.size()) + " actions", "replay");
-  return {scoredScan(settings,
-                     scan,
-                     sessionParametersOf(settings.session, settings.clean_up, settings),
-                     run),
-          std::move(actions)};
+
+  std::vector<Report::Parameter> used = sessionParametersOf(settings.session, settings);
+  used.push_back(parameter(setting::clean_up, settings.clean_up));
+  return {scoredScan(settings, scan, std::move(used), run), std::move(actions)};
 }
 
 } // namespace pcl_cid::tools

@@ -90,10 +90,6 @@ replaySession(const SessionRecord& record,
               LabelSession& session,
               const ExecutionOptions& execution = {});
 
-/** \brief What an action is called in a session file: `click`. */
-PCL_CID_IO_EXPORT const char*
-wordOf(const LabelAction& action);
-
 /** \brief A session file that is written: JSON lines, the first about scan and
  *  settings, each other an action, on the disk before append() returns.
  *
@@ -168,5 +164,9 @@ private:
   std::size_t end_ = 0;         ///< bytes of the file that are whole lines
   std::size_t before_last_ = 0; ///< bytes before the last of them
 };
+
+/** \brief What an action is called in a session file: `click`. */
+PCL_CID_IO_EXPORT const char*
+wordOf(const LabelAction& action);
 
 } // namespace pcl_cid
