@@ -13,27 +13,12 @@
 #include "run/parameter.h"
 
 #include <pcl_cid/cid_label_propagation.h>
-#include <pcl_cid/exceptions.h>
-#include <pcl_cid/io/scan_source.h>
 
-#include <algorithm>
+#include <string>
 #include <utility>
 
 namespace pcl_cid::tools {
 namespace {
-
-std::vector<std::uint32_t>
-trueLabels(const SimulateSettings& settings, const LoadedScan& scan, Run& run)
-{
-  std::vector<std::uint32_t> truth =
-      labelsOf(scan.cloud, settings.truth_field, scan.points, run.remark());
-  if (std::all_of(truth.begin(), truth.end(), [](auto label) { return label == 0; }))
-    throw CIDException(settings.input + ": field '" + settings.truth_field +
-                       "' is 0, which means none, for all of its " +
-                       std::to_string(scan.points.finite) +
-                       " finite points; at least 1 must have another label");
-  return truth;
-}
 
 std::vector<AnnotationState>
 annotate(const SimulateSettings& settings,
@@ -74,18 +59,13 @@ annotateScan(const SimulateSettings& settings, Run& run)
   describeBlindSpot(task.scan->blindSpot(), scan.points.frame, run);
 
   run.begin("Annotating");
-  AnnotatedScan result;
-  result.states = annotate(settings, task, {settings.threads, run.console.progress()});
-  run.end(std::to_string(result.states.back().clicks) + " clicks", "annotate");
+  std::vector<AnnotationState> states =
+      annotate(settings, task, {settings.threads, run.console.progress()});
+  run.end(std::to_string(states.back().clicks) + " clicks", "annotate");
 
-  result.name = scanName(settings.input);
-  result.input = settings.input;
-  result.remarks = std::exchange(run.report.remarks, {});
-  result.parameters = groupingParametersOf(settings, parameters);
-  result.parameters.push_back(parameter(setting::clean_up, settings.clean_up));
-  result.points = scan.cloud.size();
-  result.finite = scan.points.finite;
-  return result;
+  std::vector<Report::Parameter> used = groupingParametersOf(settings, parameters);
+  used.push_back(parameter(setting::clean_up, settings.clean_up));
+  return {scoredScan(settings, scan, std::move(used), run), std::move(states)};
 }
 
 } // namespace pcl_cid::tools

@@ -10,25 +10,17 @@
 #pragma once
 
 #include "run/run.h"
+#include "scored_scan.h"
 #include "simulate_settings.h"
 
 #include <pcl_cid/core/annotation.h>
-#include <pcl_cid/io/report.h>
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 namespace pcl_cid::tools {
 
 /** \brief A scan, and what a simulated annotator makes of it. */
-struct AnnotatedScan {
-  std::string name;
-  std::string input;
-  std::vector<std::string> remarks;
-  std::vector<Report::Parameter> parameters;
-  std::size_t points = 0;
-  std::size_t finite = 0;
+struct AnnotatedScan : ScoredScan {
   /** At each number of clicks; with AnnotationProtocol::agile3d, after each round. */
   std::vector<AnnotationState> states;
 };

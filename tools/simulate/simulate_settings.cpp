@@ -10,6 +10,7 @@
 #include "simulate_settings.h"
 
 #include "run/loaded_scan.h"
+#include "run/session_settings.h"
 
 #include <charconv>
 #include <sstream>
@@ -25,7 +26,10 @@ constexpr const char* about =
     "number of clicks; the rows `all` are of all instances of all scans (with\n"
     "--protocol agile3d: means over the scans).\n\n"
     "  pcl_cid_simulate room.pcd --protocol corrective --clicks 10,50,100\n\n"
-    "Only clicks count, not what is proposed and not labelled.";
+    "Only clicks count, not what is proposed and not labelled.\n\n"
+    "  pcl_cid_simulate room.pcd --session room.session\n\n"
+    "does again what a person did in pcl_cid_studio and scores the labels after each\n"
+    "action.";
 
 constexpr const char* clicks_rule =
     "whole numbers above 0 that ascend, with commas between them";
@@ -78,6 +82,14 @@ declareClickOptions(SimulateSettings& settings, std::string& clicks, CommandLine
             std::string("numbers of clicks to score, ") + clicks_rule + "; default " +
                 textOf(settings.clicks));
   line.optional(proposals_setting, settings.proposals, "default 0");
+  declareSessionOption(settings.session,
+                       "what each action of a session of pcl_cid_studio on SCAN "
+                       "brought",
+                       line);
+  line.exclude("session",
+               {optionName(annotation_protocol_setting),
+                "clicks",
+                optionName(proposals_setting)});
   line.text("truth-field",
             "FIELD",
             settings.truth_field,
@@ -88,6 +100,9 @@ declareClickOptions(SimulateSettings& settings, std::string& clicks, CommandLine
 void
 requireEffect(const SimulateSettings& settings, const std::string& clicks)
 {
+  if (!settings.session.empty() && settings.scans.size() > 1)
+    throw UsageError("--session is of one scan; " +
+                     std::to_string(settings.scans.size()) + " are given");
   const AnnotationProtocol protocol = settings.protocol;
   if (settings.proposals && protocol != AnnotationProtocol::corrective)
     throw UsageError("--proposals has no effect without --protocol corrective");
@@ -133,6 +148,7 @@ inputsOf(const SimulateSettings& settings)
   for (const std::string& scan : settings.scans)
     for (const std::string& path : inputFiles(settings.withInput(scan)))
       inputs.push_back(path);
+  inputs.push_back(settings.session);
   return inputs;
 }
 

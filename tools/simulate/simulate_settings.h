@@ -61,6 +61,7 @@ struct SimulateSettings : Settings {
   std::vector<std::size_t> clicks{10, 20, 30, 50, 100, 200, 300};
   std::optional<int> proposals;
   std::string truth_field = "label";
+  std::string session; ///< to be done again, in the place of a simulated annotator
   bool clean_up = setting::clean_up.initial;
   std::string csv;
 

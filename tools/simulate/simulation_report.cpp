@@ -10,6 +10,7 @@
 #include "simulation_report.h"
 
 #include "run/csv_row.h"
+#include "score_figures.h"
 
 #include <pcl_cid/version.h>
 
@@ -17,8 +18,7 @@
 #include <limits>
 #include <ostream>
 #include <sstream>
-
-#include <nlohmann/json.hpp>
+#include <utility>
 
 namespace pcl_cid::tools {
 namespace {
@@ -28,12 +28,6 @@ using Json = nlohmann::ordered_json;
 /** What AGILE3D gives an annotator. */
 constexpr std::size_t clicks_per_instance =
     VoxelAnnotationOptions().clicks_per_instance;
-
-/** The name of a figure in files, and its headline in a table for people. */
-struct FigureName {
-  const char* name;
-  const char* headline;
-};
 
 std::vector<FigureName>
 figureNames(AnnotationProtocol protocol)
@@ -45,11 +39,7 @@ figureNames(AnnotationProtocol protocol)
             {"noc80", "NoC@80"},
             {"noc85", "NoC@85"},
             {"noc90", "NoC@90"}};
-  return {{"mean_iou", "mIoU"},
-          {"recall25", "R25"},
-          {"recall50", "R50"},
-          {"recall75", "R75"},
-          {"ap50", "AP50"}};
+  return annotationFigureNames();
 }
 
 /** A line of the table. */
@@ -75,8 +65,7 @@ pooledRow(const std::vector<const AnnotatedScan*>& scans,
   }
   const AnnotationScore score = scoreAnnotations(overlaps);
   row.instances = score.instances;
-  row.figures = {
-      score.mean_iou, score.recall25, score.recall50, score.recall75, score.ap50};
+  row.figures = figuresOf(score);
   return row;
 }
 
@@ -143,15 +132,6 @@ jsonOf(const std::vector<ScoreRow>& rows, AnnotationProtocol protocol)
   return json;
 }
 
-/** The settings that all scans were worked on with, as other reports have them. */
-Json
-parametersOf(const SimulationReport& report)
-{
-  Report parameters;
-  parameters.parameters = report.scans.front().parameters;
-  return Json::parse(toJson(parameters)).at("parameters");
-}
-
 } // namespace
 
 void
@@ -186,23 +166,20 @@ toJson(const SimulationReport& report)
   json["protocol"] = annotation_protocol_setting.wordOf(settings.protocol);
   json["truth_field"] = settings.truth_field;
   json["proposals"] = settings.proposals.value_or(0);
-  json["parameters"] = parametersOf(report);
+  json["parameters"] = parametersOf(report.scans.front());
   json["scans"] = Json::array();
   forEachScan(report,
               [&](const AnnotatedScan* scan, const std::vector<ScoreRow>& rows) {
-                const Json scores = jsonOf(rows, settings.protocol);
-                if (scan)
-                  json["scans"].push_back({{"name", scan->name},
-                                           {"input", scan->input},
-                                           {"remarks", scan->remarks},
-                                           {"points", scan->points},
-                                           {"points_finite", scan->finite},
-                                           {"scores", scores}});
-                else
-                  json["all"] = scores;
+                Json scores = jsonOf(rows, settings.protocol);
+                if (!scan) {
+                  json["all"] = std::move(scores);
+                  return;
+                }
+                Json each = jsonOf(*scan);
+                each["scores"] = std::move(scores);
+                json["scans"].push_back(std::move(each));
               });
-  // Names of files may hold any bytes, JSON only UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return textOf(json);
 }
 
 std::string

@@ -102,6 +102,18 @@ annotateVoxels(const AnnotationTask& task,
                const VoxelAnnotationOptions& options = {},
                const ExecutionOptions& execution = {});
 
+/** \brief What labels have in common with the truth, all instances being of one class.
+ *  Points without a true label do not count: nobody can tell whether theirs is right.
+ *
+ *  It goes through sameLabelOverlaps() where the labels are those of the truth, and
+ *  through pairedOverlaps() where they are a person's numbers, before it is scored.
+ *  \param[in] labels of each point, 0 for none
+ *  \param[in] truth the same of the true instances
+ *  \throws CIDException when the lists differ in length */
+PCL_CID_EXPORT InstanceOverlaps
+annotationOverlaps(std::vector<std::uint32_t> labels,
+                   const std::vector<std::uint32_t>& truth);
+
 /** \brief Scores over all true instances of one or more scans; NaN where there are
  *  none. */
 struct AnnotationScore {
@@ -112,13 +124,14 @@ struct AnnotationScore {
   double recall25 = 0.0;
   double recall50 = 0.0;
   double recall75 = 0.0;
-  /** Average precision at IoU above 0.50, all instances being of one class (see
-   *  EvaluationProtocol::paper). */
+  /** Average precision at IoU above 0.50, all instances being of one class; that of
+   *  EvaluationProtocol::paper where labels are those of the truth. */
   double ap50 = 0.0;
 };
 
 /** \brief Score scans, pooled.
- *  \param[in] scans `overlaps` of a state of each */
+ *  \param[in] scans `overlaps` of a state of each, or others of class 1 in which no
+ *  instance has two overlaps */
 PCL_CID_EXPORT AnnotationScore
 scoreAnnotations(const std::vector<InstanceOverlaps>& scans);
 

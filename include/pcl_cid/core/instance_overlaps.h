@@ -79,4 +79,14 @@ overlapsOf(const PointLabels& prediction, const PointLabels& truth);
 PCL_CID_EXPORT InstanceOverlaps
 sameLabelOverlaps(const InstanceOverlaps& overlaps);
 
+/** \brief Pair the instances, and keep what those of a pair have in common: for
+ *  predictions whose labels are numbers of their own, as those of a person are.
+ *
+ *  Pairs are made by falling IoU, of instances that are in none yet; of equal ones the
+ *  first in the list. Above an IoU of 0.5 there is no choice: no instance can have that
+ *  with two others.
+ *  \note Cost: O(m log m) for m overlaps. */
+PCL_CID_EXPORT InstanceOverlaps
+pairedOverlaps(const InstanceOverlaps& overlaps);
+
 } // namespace pcl_cid

@@ -60,6 +60,13 @@ struct SessionRecord {
   std::vector<std::size_t> lines; ///< where each of these is in the file, from 1
   std::vector<PartAction> part_actions;
   std::vector<std::size_t> part_lines;
+
+  /** \brief Of the file, as far as it was written to its end. */
+  std::size_t
+  lastLine() const
+  {
+    return 1 + actions.size() + part_actions.size();
+  }
 };
 
 /** \brief Read a session, to look at it.
@@ -179,5 +186,9 @@ private:
   std::size_t end_ = 0;         ///< bytes of the file that are whole lines
   std::size_t before_last_ = 0; ///< bytes before the last of them
 };
+
+/** \brief What an action is called in a session file: `click`. */
+PCL_CID_IO_EXPORT const char*
+wordOf(const LabelAction& action);
 
 } // namespace pcl_cid

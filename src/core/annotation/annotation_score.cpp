@@ -11,6 +11,9 @@
 #include <pcl_cid/core/annotation.h>
 #include <pcl_cid/core/evaluation.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace pcl_cid {
 namespace {
 
@@ -32,6 +35,17 @@ clicksPerInstance(const AnnotationState& state)
 
 } // namespace
 
+InstanceOverlaps
+annotationOverlaps(std::vector<std::uint32_t> labels,
+                   const std::vector<std::uint32_t>& truth)
+{
+  for (std::size_t i = 0; i < std::min(labels.size(), truth.size()); ++i)
+    if (truth[i] == 0)
+      labels[i] = 0;
+  const std::vector<std::uint32_t> classes(truth.size(), class_of_instances);
+  return overlapsOf({std::move(labels), {}}, {truth, classes});
+}
+
 AnnotationScore
 scoreAnnotations(const std::vector<InstanceOverlaps>& scans)
 {
@@ -49,8 +63,9 @@ scoreAnnotations(const std::vector<InstanceOverlaps>& scans)
   for (double* const figure :
        {&score.mean_iou, &score.recall25, &score.recall50, &score.recall75})
     *figure /= static_cast<double>(score.instances);
+  // What belongs together is known; this protocol asks for no labels of the truth.
   score.ap50 =
-      evaluate(scans, EvaluationProtocol::paper, {class_of_instances}).mean.ap50;
+      evaluate(scans, EvaluationProtocol::s3dis, {class_of_instances}).mean.ap50;
   return score;
 }
 

@@ -14,7 +14,7 @@
 #include "clicked_session.h"
 #include <pcl_cid/exceptions.h>
 
-#include <algorithm>
+#include <utility>
 
 namespace pcl_cid {
 namespace {
@@ -126,15 +126,10 @@ ClickedSession::updateLabels(const ExecutionOptions& execution)
 AnnotationState
 ClickedSession::state(const std::vector<std::uint32_t>& labels) const
 {
-  const std::size_t size = cloud_truth_.size();
-  const PointLabels truth{cloud_truth_,
-                          std::vector<std::uint32_t>(size, class_of_instances)};
-  PointLabels prediction{scan().workingSet().carryOn(labels, size, std::uint32_t{0}),
-                         {}};
-  for (std::size_t i = 0; i < size; ++i)
-    if (truth.label[i] == 0) // nobody can tell whether its label is right
-      prediction.label[i] = 0;
-  return {clicks(), sameLabelOverlaps(overlapsOf(prediction, truth))};
+  std::vector<std::uint32_t> of_cloud =
+      scan().workingSet().carryOn(labels, cloud_truth_.size(), std::uint32_t{0});
+  return {clicks(),
+          sameLabelOverlaps(annotationOverlaps(std::move(of_cloud), cloud_truth_))};
 }
 
 } // namespace pcl_cid

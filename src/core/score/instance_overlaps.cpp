@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace pcl_cid {
@@ -138,6 +139,35 @@ sameLabelOverlaps(const InstanceOverlaps& overlaps)
   result.overlaps.erase(
       std::remove_if(result.overlaps.begin(), result.overlaps.end(), differ),
       result.overlaps.end());
+  return result;
+}
+
+InstanceOverlaps
+pairedOverlaps(const InstanceOverlaps& overlaps)
+{
+  const std::vector<InstanceOverlap>& all = overlaps.overlaps;
+  std::vector<double> ious;
+  for (const InstanceOverlap& overlap : all)
+    ious.push_back(overlaps.iou(overlap));
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return ious[a] > ious[b];
+  });
+
+  std::vector<bool> has_truth(overlaps.predictions.size(), false);
+  std::vector<bool> has_prediction(overlaps.truths.size(), false);
+  std::vector<bool> is_pair(all.size(), false);
+  for (const std::size_t k : order) {
+    if (has_prediction[all[k].truth] || has_truth[all[k].prediction])
+      continue;
+    has_prediction[all[k].truth] = has_truth[all[k].prediction] = is_pair[k] = true;
+  }
+
+  InstanceOverlaps result{overlaps.truths, overlaps.predictions, {}};
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (is_pair[k])
+      result.overlaps.push_back(all[k]);
   return result;
 }
 

@@ -10,6 +10,8 @@
 #include "action_json.h"
 #include "json_fields.h"
 
+#include <pcl_cid/io/session_file.h>
+
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -233,10 +235,16 @@ constexpr std::array<Verb, std::variant_size_v<LabelAction>> verbs{{
 
 } // namespace
 
+const char*
+wordOf(const LabelAction& action)
+{
+  return verbs[action.index()].word;
+}
+
 OrderedJson
 toJson(const LabelAction& action)
 {
-  OrderedJson json{{"do", verbs[action.index()].word}};
+  OrderedJson json{{"do", wordOf(action)}};
   std::visit(ActionWriter{json}, action);
   return json;
 }

@@ -210,8 +210,7 @@ replaySession(const SessionRecord& record,
               const ExecutionOptions& execution)
 {
   const std::size_t done = session.replay(record.actions, execution);
-  const std::size_t last = 1 + record.actions.size() + record.part_actions.size();
-  if (done == record.actions.size() || record.lines[done] == last)
+  if (done == record.actions.size() || record.lines[done] == record.lastLine())
     return done;
   try {
     session.apply(record.actions[done]);

@@ -401,6 +401,21 @@ TEST(AnnotationScores, AreThoseCountedByHand)
   EXPECT_DOUBLE_EQ(twice.mean_iou, score.mean_iou);
 }
 
+TEST(AnnotationScores, OfNumbersOfAPersonAreThoseOfPairs)
+{
+  // IoU 3/4 of instance 1 and label 5, 1/2 of instance 2 and label 6; label 9 is a
+  // wrong prediction. The last two points have no true label.
+  const InstanceOverlaps all =
+      annotationOverlaps({5, 5, 5, 0, 6, 9, 9, 6}, {1, 1, 1, 1, 2, 2, 0, 0});
+  const AnnotationScore score = scoreAnnotations({pairedOverlaps(all)});
+  EXPECT_EQ(score.instances, 2u);
+  EXPECT_DOUBLE_EQ(score.mean_iou, (3.0 / 4 + 1.0 / 2) / 2);
+  EXPECT_DOUBLE_EQ(score.recall50, 1.0);
+  EXPECT_DOUBLE_EQ(score.recall75, 1.0 / 2);
+  EXPECT_DOUBLE_EQ(score.ap50, 1.0 / 2 * (1.0 + 1.0 / 3) / 2);
+  EXPECT_THROW(annotationOverlaps({1, 2}, {1}), CIDException);
+}
+
 TEST(AnnotationScores, OfCurvesAreByClicksForEachInstance)
 {
   // Two instances; IoU 0, then 1/2 and 1, then both 1.

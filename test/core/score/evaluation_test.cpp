@@ -62,6 +62,34 @@ TEST(InstanceOverlaps, WantAsManyLabelsAsPoints)
   EXPECT_TRUE(overlapsOf({}, {}).truths.empty());
 }
 
+TEST(PairedOverlaps, ArePairsByFallingIoU)
+{
+  // The largest IoU is that of truth 2 and prediction 7: 5/11. So truth 1, of which 7
+  // has most, goes to 8, with 4/10, and nothing is left for prediction 9.
+  const InstanceOverlaps all = overlapsOfRuns(
+      {{5, 1, 1, 7}, {5, 2, 1, 7}, {4, 1, 1, 8}, {1, 1, 1, 9}, {1, 2, 1, 0}});
+  const InstanceOverlaps pairs = pairedOverlaps(all);
+  EXPECT_EQ(pairs.truths.size(), 2u);
+  EXPECT_EQ(pairs.predictions.size(), 3u);
+  ASSERT_EQ(pairs.overlaps.size(), 2u);
+  EXPECT_EQ(pairs.truths[pairs.overlaps[0].truth].label, 1u);
+  EXPECT_EQ(pairs.predictions[pairs.overlaps[0].prediction].label, 8u);
+  EXPECT_DOUBLE_EQ(pairs.iou(pairs.overlaps[0]), 0.4);
+  EXPECT_EQ(pairs.truths[pairs.overlaps[1].truth].label, 2u);
+  EXPECT_EQ(pairs.predictions[pairs.overlaps[1].prediction].label, 7u);
+  EXPECT_DOUBLE_EQ(pairs.iou(pairs.overlaps[1]), 5.0 / 11.0);
+}
+
+TEST(PairedOverlaps, OfEqualPairsTakeTheFirst)
+{
+  const InstanceOverlaps pairs = pairedOverlaps(
+      overlapsOfRuns({{2, 1, 1, 5}, {2, 1, 1, 6}, {2, 2, 1, 5}, {2, 2, 1, 6}}));
+  ASSERT_EQ(pairs.overlaps.size(), 2u);
+  EXPECT_EQ(pairs.predictions[pairs.overlaps[0].prediction].label, 5u);
+  EXPECT_EQ(pairs.predictions[pairs.overlaps[1].prediction].label, 6u);
+  EXPECT_TRUE(pairedOverlaps({}).overlaps.empty());
+}
+
 TEST(PaperProtocol, ComparesInstancesOfTheSameLabel)
 {
   // Prediction 1 covers all 4 points of truth 1: right. Prediction 2 has only 1 of the
