@@ -25,14 +25,14 @@ annotate(const SimulateSettings& settings,
          const AnnotationTask& task,
          const ExecutionOptions& execution)
 {
+  const auto proposals = static_cast<std::size_t>(settings.proposals.value_or(0));
   switch (settings.protocol) {
   case AnnotationProtocol::proposals:
     return annotateProposals(task, settings.clicks, execution);
   case AnnotationProtocol::corrective:
-    return annotateCorrections(task,
-                               settings.clicks,
-                               static_cast<std::size_t>(settings.proposals.value_or(0)),
-                               execution);
+    return annotateCorrections(task, settings.clicks, proposals, execution);
+  case AnnotationProtocol::doubt:
+    return annotateDoubts(task, settings.clicks, proposals, execution);
   default:
     return annotateVoxels(task, {}, execution);
   }

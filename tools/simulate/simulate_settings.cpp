@@ -104,8 +104,10 @@ requireEffect(const SimulateSettings& settings, const std::string& clicks)
     throw UsageError("--session is of one scan; " +
                      std::to_string(settings.scans.size()) + " are given");
   const AnnotationProtocol protocol = settings.protocol;
-  if (settings.proposals && protocol != AnnotationProtocol::corrective)
-    throw UsageError("--proposals has no effect without --protocol corrective");
+  if (settings.proposals && protocol != AnnotationProtocol::corrective &&
+      protocol != AnnotationProtocol::doubt)
+    throw UsageError(
+        "--proposals has no effect without --protocol corrective or doubt");
   if (!clicks.empty() && protocol == AnnotationProtocol::agile3d)
     throw UsageError(
         "--clicks has no effect with --protocol agile3d, which has a budget "

@@ -23,21 +23,22 @@ namespace pcl_cid::tools {
 constexpr const char* simulate_tool = "pcl_cid_simulate";
 
 /** \brief Where the simulated annotator clicks. */
-enum class AnnotationProtocol { proposals, corrective, agile3d };
+enum class AnnotationProtocol { proposals, corrective, doubt, agile3d };
 
 /** \brief The row of `--protocol`; reports use its words, too. */
-inline constexpr ChoiceSetting<AnnotationProtocol, 3> annotation_protocol_setting{
+inline constexpr ChoiceSetting<AnnotationProtocol, 4> annotation_protocol_setting{
     "Clicks",
     "protocol",
     "NAME",
     AnnotationProtocol::proposals,
     {{{"proposals", AnnotationProtocol::proposals},
       {"corrective", AnnotationProtocol::corrective},
+      {"doubt", AnnotationProtocol::doubt},
       {"agile3d", AnnotationProtocol::agile3d}}},
     "where the annotator clicks: on the proposed seeds (the paper), in the largest "
-    "connected region that is wrong, or by the rules of AGILE3D on voxels of 5 cm, "
-    "with "
-    "20 clicks for each instance; every instance is a target there, and nothing is "
+    "connected region that is wrong, in the largest area where labels are in doubt, "
+    "or by the rules of AGILE3D on voxels of 5 cm, with 20 clicks for each instance; "
+    "every instance is a target there, and nothing is "
     "background"};
 
 /** \brief The row of `--proposals`. */
@@ -50,7 +51,8 @@ inline constexpr NumberSetting<int> proposals_setting{
     0,
     0,
     setting::any_number,
-    "with --protocol corrective: click on so many proposed seeds before the others"};
+    "with --protocol corrective or doubt: click on so many proposed seeds before the "
+    "others"};
 
 /** \brief Settings of pcl_cid_simulate; what is not asked for is empty. `input` is the
  *  scan that is worked on. */

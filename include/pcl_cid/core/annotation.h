@@ -78,6 +78,20 @@ annotateCorrections(const AnnotationTask& task,
                     std::size_t proposals,
                     const ExecutionOptions& execution = {});
 
+/** \brief An annotator who clicks where labels are in doubt (*ours*), right or wrong,
+ * and need not look for mistakes.
+ *
+ *  A click is on the DoubtfulArea::point of the largest area of doubt, of 20000 points
+ * or all, that is no seed yet; in doubt are the 6 % of the points with the least
+ * margins (see LabelDoubt). Where nothing is, on what Algorithm 1 proposes next. \note
+ * Cost: each click as with annotateCorrections(), and what LabelDoubt needs. \see
+ * annotateCorrections() for the rest */
+PCL_CID_EXPORT std::vector<AnnotationState>
+annotateDoubts(const AnnotationTask& task,
+               const std::vector<std::size_t>& counts,
+               std::size_t proposals,
+               const ExecutionOptions& execution = {});
+
 /** \brief How annotateVoxels() works. */
 struct VoxelAnnotationOptions {
   /** Side of a voxel, metres; above 0. */

@@ -42,6 +42,12 @@ public:
     return session_.scan();
   }
 
+  const LabelSession&
+  session() const
+  {
+    return session_;
+  }
+
   /** \brief True label of each point. */
   const std::vector<std::uint32_t>&
   truth() const

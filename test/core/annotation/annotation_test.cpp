@@ -14,6 +14,7 @@
 
 #include <pcl_cid/core/annotation.h>
 #include <pcl_cid/core/label_cleaning.h>
+#include <pcl_cid/core/label_doubt.h>
 #include <pcl_cid/exceptions.h>
 
 #include <cmath>
@@ -248,6 +249,100 @@ TEST(CorrectiveClicks, GoOnWhereNothingIsLeftToPropose)
   EXPECT_EQ(states[2].clicks, 3u);
 }
 
+/** The annotator who goes where doubt is, on all points of a small scan. */
+class LiteralDoubts {
+public:
+  explicit LiteralDoubts(const AnnotationTask& task)
+  : task_(task), session_(task.scan, task.grouping)
+  {
+    std::iota(points_.begin(), points_.end(), 0);
+  }
+
+  void
+  click()
+  {
+    LabelDoubt doubt(task_.scan, task_.grouping.samples, points_);
+    const std::vector<float> margins = doubt.margins(session_);
+    std::vector<float> known;
+    for (const float margin : margins)
+      if (!std::isnan(margin))
+        known.push_back(margin);
+    std::sort(known.begin(), known.end());
+    const float limit = known.empty() ? 0.0f : known[known.size() * 6 / 100];
+    for (std::size_t rank = 0; const auto area = doubt.area(margins, limit, rank);
+         ++rank)
+      if (!isSeed(area->point)) {
+        answer(area->point);
+        return;
+      }
+    session_.apply(action::Propose{1});
+    for (const SessionSeed& seed : session_.seeds())
+      if (!seed.label)
+        answer(seed.point);
+  }
+
+  Labels
+  labels() const
+  {
+    return session_.labels();
+  }
+
+private:
+  bool
+  isSeed(pcl::index_t point) const
+  {
+    const pcl::Indices seeds = session_.grouping().seeds();
+    return std::find(seeds.begin(), seeds.end(), point) != seeds.end();
+  }
+
+  void
+  answer(pcl::index_t point)
+  {
+    const std::uint32_t label = task_.truth[static_cast<std::size_t>(point)];
+    const auto& instances = session_.instances();
+    const bool is_known =
+        label == 0 ||
+        std::any_of(instances.begin(), instances.end(), [&](const auto& each) {
+          return each.label == label;
+        });
+    session_.apply(action::Click{{point},
+                                 is_known ? action::Answer(label)
+                                          : action::NewInstance{"", "", label}});
+  }
+
+  const AnnotationTask& task_;
+  LabelSession session_;
+  pcl::Indices points_ = pcl::Indices(task_.truth.size());
+};
+
+TEST(DoubtfulClicks, AreThoseOfTheDefinition)
+{
+  const AnnotationTask task = twoBoxesInCells(250);
+  LiteralDoubts literal(task);
+  for (const AnnotationState& state : annotateDoubts(task, upTo(40), 0)) {
+    literal.click();
+    EXPECT_EQ(iousOf(state), countedIous(literal.labels(), task.truth)) << state.clicks;
+  }
+}
+
+TEST(DoubtfulClicks, BeginWithWhatIsProposed)
+{
+  const AnnotationTask task = twoBoxesInCells(250);
+  const std::vector<AnnotationState> states = annotateDoubts(task, upTo(9), 6);
+  const std::vector<AnnotationState> proposed = annotateProposals(task, upTo(9));
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_EQ(iousOf(states[k]), iousOf(proposed[k]));
+  EXPECT_NE(iousOf(states[8]), iousOf(proposed[8]));
+}
+
+TEST(DoubtfulClicks, MakeAllRightWithAtMostAsManyAsPoints)
+{
+  const AnnotationTask task = twoBoxesInCells(120);
+  const AnnotationState end = annotateDoubts(task, {1000}, 0).back();
+  EXPECT_LE(end.clicks, 120u);
+  EXPECT_EQ(meanOf(end), 1.0);
+}
+
 TEST(AnnotatedScans, MayHaveTheirBoundariesMended)
 {
   PreparationSettings settings = plainSettings();
@@ -277,6 +372,8 @@ TEST(AnnotationThreads, ChangeNothing)
              annotateProposals(task, counts, onThreads(1)));
   expectSame(annotateCorrections(task, counts, 5, onThreads(3)),
              annotateCorrections(task, counts, 5, onThreads(1)));
+  expectSame(annotateDoubts(task, counts, 5, onThreads(3)),
+             annotateDoubts(task, counts, 5, onThreads(1)));
   expectSame(annotateVoxels(task, {}, onThreads(3)),
              annotateVoxels(task, {}, onThreads(1)));
 }
@@ -465,6 +562,7 @@ TEST(AnnotationTasks, AreCancelled)
   const ExecutionOptions cancelled{1, [](double) { return false; }};
   EXPECT_THROW(annotateProposals(task, {20}, cancelled), CIDCancelled);
   EXPECT_THROW(annotateCorrections(task, {20}, 0, cancelled), CIDCancelled);
+  EXPECT_THROW(annotateDoubts(task, {20}, 0, cancelled), CIDCancelled);
   EXPECT_THROW(annotateVoxels(task, {}, cancelled), CIDCancelled);
 }
 

@@ -100,7 +100,7 @@ TEST_F(SimulateTool, VoxelsHaveTheFiguresOfAgile3d)
 
 TEST_F(SimulateTool, ThreadsChangeNothing)
 {
-  for (const char* const protocol : {"proposals", "corrective", "agile3d"})
+  for (const char* const protocol : {"proposals", "corrective", "doubt", "agile3d"})
     EXPECT_EQ(
         writtenBy(
             {truth_, "--protocol", protocol, "--threads", "1"}, "--csv", "one.csv"),
@@ -112,7 +112,7 @@ TEST_F(SimulateTool, RefusesAWrongCommandLine)
 {
   expectRefused({}, {"SCAN", "at least 1"}, 2);
   expectRefused({truth_, "--protocol", "best"},
-                {"--protocol", "'best'", "proposals, corrective or agile3d"},
+                {"--protocol", "'best'", "proposals, corrective, doubt or agile3d"},
                 2);
   for (const char* const clicks :
        {"0", "5,5", "9,3", "3,", ",3", "x", "-1", "2 3", "1e3"})
