@@ -180,8 +180,8 @@ private:
     pcl::Indices seeds;
     for (const pcl::index_t seed : seeds_)
       seeds.push_back(scan_.workingIndex(seed, "seed"));
-    KnownCosts costs(scan_.working(), samples_);
-    group_ = connectGroups(*scan_.graph(), costs, seeds, std::move(group_), 1, silent);
+    group_ = ConnectedGroups(*scan_.graph(), scan_.working(), samples_)
+                 .connect(seeds, std::move(group_), 1, silent);
   }
 
   static bool
