@@ -34,8 +34,8 @@ constexpr std::size_t few_islands = 16;
 /** Changed vertices that a thread takes at a time. */
 constexpr std::size_t many_vertices = 4096;
 
-/** Of islands that are kept, for each of the points. */
-constexpr std::size_t most_bytes = 40;
+/** Of islands that are kept, for each of the points, beside what the heap adds. */
+constexpr std::size_t most_bytes = 30;
 
 } // namespace
 
@@ -78,24 +78,6 @@ public:
   }
 
 private:
-  /** Where an island meets another one. */
-  struct Border {
-    Vertex other;  ///< the island
-    Vertex vertex; ///< of this one
-
-    bool
-    operator<(const Border& right) const
-    {
-      return std::tie(other, vertex) < std::tie(right.other, right.vertex);
-    }
-
-    bool
-    operator==(const Border& right) const
-    {
-      return other == right.other && vertex == right.vertex;
-    }
-  };
-
   /** A group that an island may go to. */
   struct Offer {
     float cost = infinity;
@@ -115,41 +97,64 @@ private:
     }
   };
 
+  /** Where an island meets another one. */
+  struct Meeting {
+    Vertex other;        ///< the island
+    std::uint32_t begin; ///< of the vertices beside it, in Island::borders
+    /** What the other one offered last, which most often is what it offers again. */
+    pcl::index_t seed = -1;
+    float low = 0.0f; ///< at most the least cost of the seed and these vertices
+    bool is_exact = false;
+
+    bool
+    tells(pcl::index_t of_seed, float limit) const
+    {
+      return seed == of_seed && (is_exact || low >= limit);
+    }
+  };
+
   /** A piece without a seed, where it meets others, and what it is offered. */
   struct Island {
-    std::vector<Vertex> vertices; ///< the lowest first
-    std::vector<Border> borders;  ///< ascending
-    Offer of_mainland{};          ///< the best one
+    std::vector<Vertex> vertices;  ///< the lowest first
+    std::vector<Meeting> meetings; ///< ascending
+    std::vector<Vertex> borders;   ///< the vertices beside other islands, by meeting
+    Offer of_mainland{};           ///< the best one
     Offer best{};         ///< so far, of mainland or of islands that have joined
     bool is_open = false; ///< it may be offered more
 
-    /** The borders with one island. */
-    template <typename Visit>
-    void
-    forEachBorderWith(Vertex other, const Visit& visit) const
+    Meeting&
+    meetingWith(Vertex other)
     {
-      for (auto border =
-               std::lower_bound(borders.begin(), borders.end(), Border{other, 0});
-           border != borders.end() && border->other == other;
-           ++border)
-        visit(*border);
+      return *std::lower_bound(
+          meetings.begin(),
+          meetings.end(),
+          other,
+          [](const Meeting& each, Vertex name) { return each.other < name; });
     }
 
-    /** Call \a visit with each island that this one meets. */
-    template <typename Visit>
+    /** \param[in] sides an island and a vertex beside it, ascending */
     void
-    forEachNeighbor(const Visit& visit) const
+    meet(const std::vector<std::pair<Vertex, Vertex>>& sides)
     {
-      for (std::size_t k = 0; k < borders.size(); ++k)
-        if (k == 0 || borders[k].other != borders[k - 1].other)
-          visit(borders[k].other);
+      for (const auto& [other, vertex] : sides) {
+        if (meetings.empty() || meetings.back().other != other)
+          meetings.push_back({other, static_cast<std::uint32_t>(borders.size())});
+        borders.push_back(vertex);
+      }
+    }
+
+    std::size_t
+    endOf(const Meeting& meeting) const
+    {
+      return &meeting == &meetings.back() ? borders.size() : (&meeting + 1)->begin;
     }
 
     std::size_t
     bytes() const
     {
       return sizeof(*this) + sizeof(Vertex) * vertices.capacity() +
-             sizeof(Border) * borders.capacity();
+             sizeof(Meeting) * meetings.capacity() +
+             sizeof(Vertex) * borders.capacity();
     }
   };
 
@@ -240,6 +245,7 @@ private:
     island.vertices.push_back(name);
     reached[name] = 1;
     std::vector<pcl::index_t> groups; // next to a vertex
+    std::vector<std::pair<Vertex, Vertex>> sides;
     for (std::size_t k = 0; k < island.vertices.size(); ++k) {
       const Vertex v = island.vertices[k];
       groups.clear();
@@ -248,7 +254,7 @@ private:
         if (piece == SurfacePieces::mainland)
           groups.push_back(pieces_.groupOf(q));
         else if (piece != name)
-          island.borders.push_back({piece, v});
+          sides.emplace_back(piece, v);
         else if (!std::exchange(reached[q], std::uint8_t{1}))
           island.vertices.push_back(q);
       });
@@ -256,14 +262,17 @@ private:
       for (const pcl::index_t group : groups)
         offer(island.of_mainland, v, group, seeds, search);
     }
-    sortOut(island.borders);
+    sortOut(sides);
+    island.meet(sides);
+    island.vertices.shrink_to_fit();
+    island.meetings.shrink_to_fit();
+    island.borders.shrink_to_fit();
     return island;
   }
 
   /** The cost of a vertex of an island and the seed of a group, if it is the best so
-   *  far.
-   *  \return whether it is */
-  bool
+   *  far. */
+  void
   offer(Offer& best,
         Vertex vertex,
         pcl::index_t group,
@@ -271,14 +280,15 @@ private:
         SegmentSearch& search) const
   {
     const auto seed = static_cast<std::size_t>(seeds[static_cast<std::size_t>(group)]);
-    // The next float up, as an equal cost may win, too.
-    const float limit = std::nextafter(best.cost, infinity);
-    const Offer offered{costs_.cost(seed, graph_.pointOf(vertex), limit, search),
-                        group};
-    if (!(offered < best))
-      return false;
-    best = offered;
-    return true;
+    const std::size_t point = graph_.pointOf(vertex);
+    best = std::min(best, {costs_.cost(seed, point, limitOf(best), search), group});
+  }
+
+  /** What costs no less is no better: the next float up, as an equal cost may be. */
+  static float
+  limitOf(const Offer& best)
+  {
+    return std::nextafter(best.cost, infinity);
   }
 
   /** Islands and all that hang together with them: what they join may change. They are
@@ -293,10 +303,9 @@ private:
     for (const Vertex name : names)
       open(islands_.at(name));
     for (std::size_t k = 0; k < names.size(); ++k)
-      islands_.at(names[k]).forEachNeighbor([&](Vertex other) {
-        if (open(islands_.at(other)))
-          names.push_back(other);
-      });
+      for (const Meeting& meeting : islands_.at(names[k]).meetings)
+        if (open(islands_.at(meeting.other)))
+          names.push_back(meeting.other);
     return names;
   }
 
@@ -315,29 +324,54 @@ private:
       queue.pop();
       if (!std::exchange(island.is_open, false))
         continue;
-      island.forEachNeighbor([&](Vertex other) {
-        Island& next = islands_.at(other);
-        if (next.is_open && offerAll(next, island, seeds, search))
-          queue.push({next.best, other});
-      });
+      for (const Meeting& meeting : island.meetings) {
+        Island& next = islands_.at(meeting.other);
+        if (next.is_open && offerGroup(next, island, seeds, search))
+          queue.push({next.best, meeting.other});
+      }
     }
     for (const Vertex name : names) // those that nothing came next to
       islands_.at(name).is_open = false;
   }
 
-  /** Offer the group of another island at each border with that. */
+  /** Offer the group that another island has joined.
+   *  \return whether it is the best so far */
   bool
-  offerAll(Island& island,
-           const Island& joined,
-           const pcl::Indices& seeds,
-           SegmentSearch& search) const
+  offerGroup(Island& island,
+             const Island& joined,
+             const pcl::Indices& seeds,
+             SegmentSearch& search) const
   {
-    bool is_better = false;
-    island.forEachBorderWith(joined.vertices.front(), [&](const Border& border) {
-      is_better = offer(island.best, border.vertex, joined.best.group, seeds, search) ||
-                  is_better;
-    });
-    return is_better;
+    const pcl::index_t group = joined.best.group;
+    const pcl::index_t seed = seeds[static_cast<std::size_t>(group)];
+    const float limit = limitOf(island.best);
+    Meeting& meeting = island.meetingWith(joined.vertices.front());
+    if (!meeting.tells(seed, limit))
+      compare(meeting, island, seed, limit, search);
+    const Offer offered{meeting.low, group};
+    if (!(offered < island.best))
+      return false;
+    island.best = offered;
+    return true;
+  }
+
+  /** Find the least cost of a seed where islands meet, if it is below a limit. */
+  void
+  compare(Meeting& meeting,
+          const Island& island,
+          pcl::index_t seed,
+          float limit,
+          SegmentSearch& search) const
+  {
+    meeting.seed = seed;
+    meeting.low = limit;
+    for (std::size_t k = meeting.begin; k < island.endOf(meeting); ++k)
+      meeting.low = std::min(meeting.low,
+                             costs_.cost(static_cast<std::size_t>(seed),
+                                         graph_.pointOf(island.borders[k]),
+                                         meeting.low,
+                                         search));
+    meeting.is_exact = meeting.low < limit;
   }
 
   const SurfaceGraph& graph_;
