@@ -219,7 +219,7 @@ public:
     case 3:
       break;
     default:
-      moveBall(draw(2) == 0 ? 0.05f : 0.3f, seeds_[draw(seeds_.size())]);
+      moveBall(draw(2) == 0 ? 0.1f : 1.0f, seeds_[draw(seeds_.size())]);
     }
   }
 
@@ -246,14 +246,16 @@ private:
     return drawBelow(generator_, count);
   }
 
-  /** Points around any one go to a seed; a seed stays its own. */
+  /** Points around any one, all or some here and there, go to a seed; a seed stays its
+   *  own. */
   void
   moveBall(float radius, pcl::index_t seed)
   {
     const Points& points = scan_.working().points();
     const Eigen::Vector3f center = points[draw(points.size())];
+    const std::size_t one_of = 1 + draw(4);
     for (std::size_t i = 0; i < points.size(); ++i)
-      if ((points[i] - center).norm() <= radius && draw(5) > 0)
+      if ((points[i] - center).norm() <= radius && draw(one_of) == 0)
         seed_of_[i] = seed;
     for (const pcl::index_t each : seeds_)
       seed_of_[static_cast<std::size_t>(each)] = each;
@@ -267,7 +269,7 @@ private:
       return;
     seeds_.insert(seeds_.begin() + static_cast<std::ptrdiff_t>(draw(seeds_.size() + 1)),
                   seed);
-    moveBall(0.3f, seed);
+    moveBall(1.0f, seed);
   }
 
   void
