@@ -84,8 +84,8 @@ enum class ProposalStop {
  *  A verb that throws changes nothing. (Except when memory runs out in a verb without a
  *  progress callback: then no seeds are left.) Copies are independent and share the
  *  scan. Const calls may run concurrently.
- *  \note Memory: about 30 bytes a point; up to 100 more where groups are made
- * connected.
+ *  \note Memory: about 30 bytes a point; up to 100 more, shared by copies, where groups
+ *  are made connected.
  */
 class PCL_CID_EXPORT Grouping {
 public:
