@@ -81,13 +81,9 @@ LiteralGrouping::state() const
     group[seeds_[k]] = static_cast<pcl::index_t>(k);
   if (scan_.graph()) {
     Progress silent(nullptr);
-    KnownCosts costs(scan_.working(), samples_);
-    group = connectGroups(*scan_.graph(),
-                          costs,
-                          pcl::Indices(seeds_.begin(), seeds_.end()),
-                          std::move(group),
-                          1,
-                          silent);
+    ConnectedGroups connected(*scan_.graph(), scan_.working(), samples_);
+    group = connected.connect(
+        pcl::Indices(seeds_.begin(), seeds_.end()), std::move(group), 1, silent);
   }
   const WorkingSet& set = scan_.workingSet();
   return {set.carryOn(group, scan_.cloudSize(), pcl::index_t{-1}),

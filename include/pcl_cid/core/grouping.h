@@ -23,7 +23,7 @@
 namespace pcl_cid {
 
 class BlockGroups;
-class KnownCosts;
+class ConnectedGroups;
 
 /** \brief Seeds, and the seed that each point belongs to.
  *
@@ -84,7 +84,8 @@ enum class ProposalStop {
  *  A verb that throws changes nothing. (Except when memory runs out in a verb without a
  *  progress callback: then no seeds are left.) Copies are independent and share the
  *  scan. Const calls may run concurrently.
- *  \note Memory: about 30 bytes a point; up to 50 more where groups are made connected.
+ *  \note Memory: about 30 bytes a point; up to 100 more, shared by copies, where groups
+ *  are made connected.
  */
 class PCL_CID_EXPORT Grouping {
 public:
@@ -212,9 +213,9 @@ private:
   PreparedScan::ConstPtr scan_;
   GroupingSettings settings_;
   std::unique_ptr<BlockGroups> groups_;
-  /** Shared with copies, as costs are of the scan; null where groups stay as they are.
-   */
-  std::shared_ptr<KnownCosts> known_costs_;
+  /** Shared with copies, whose islands are much the same; null where groups stay as
+   * they are. */
+  std::shared_ptr<ConnectedGroups> connected_;
   std::vector<float> coverages_; ///< r_k for the first seeds, as far as it is known
   float coverage_;
   std::size_t comparisons_ = 0;

@@ -8,7 +8,6 @@
  */
 
 #include "connected_groups.h"
-#include "known_costs.h"
 #include "seed_proposal.h"
 
 #include "base/requirements.h"
@@ -143,7 +142,8 @@ Grouping::Grouping(PreparedScan::ConstPtr scan, const GroupingSettings& settings
   require(setting::samples, settings.samples);
   groups_ = emptyGroups(notNull(scan_), settings_);
   if (scan_->graph())
-    known_costs_ = std::make_shared<KnownCosts>(scan_->working(), settings_.samples);
+    connected_ = std::make_shared<ConnectedGroups>(
+        *scan_->graph(), scan_->working(), settings_.samples);
   coverage_ = no_coverage;
 }
 
@@ -151,7 +151,7 @@ Grouping::Grouping(const Grouping& other)
 : scan_(other.scan_)
 , settings_(other.settings_)
 , groups_(std::make_unique<BlockGroups>(*other.groups_))
-, known_costs_(other.known_costs_)
+, connected_(other.connected_)
 , coverages_(other.coverages_)
 , coverage_(other.coverage_)
 , comparisons_(other.comparisons_)
@@ -166,7 +166,7 @@ Grouping::operator=(Grouping other) noexcept
   std::swap(scan_, other.scan_);
   std::swap(settings_, other.settings_);
   std::swap(groups_, other.groups_);
-  std::swap(known_costs_, other.known_costs_);
+  std::swap(connected_, other.connected_);
   std::swap(coverages_, other.coverages_);
   std::swap(coverage_, other.coverage_);
   std::swap(comparisons_, other.comparisons_);
@@ -301,14 +301,9 @@ Grouping::groupsOfWorkingPoints(const ExecutionOptions& execution) const
   Progress progress(execution.progress);
   const int threads = threadCount(execution.threads);
   std::vector<pcl::index_t> groups = groups_->groups({threads, progress});
-  if (!scan_->graph())
+  if (!connected_)
     return groups;
-  return connectGroups(*scan_->graph(),
-                       *known_costs_,
-                       groups_->seeds(),
-                       std::move(groups),
-                       threads,
-                       progress);
+  return connected_->connect(groups_->seeds(), std::move(groups), threads, progress);
 }
 
 std::vector<pcl::index_t>

@@ -10,13 +10,16 @@
 #include "clouds.h"
 #include "prepared_points.h"
 
+#include "base/random.h"
 #include "grouping/connected_groups.h"
 
 #include <pcl_cid/core/concavity.h>
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/exceptions.h>
 
 #include <algorithm>
 #include <set>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -183,8 +186,186 @@ TEST(ConnectedGroups, WhatNoGroupComesNextToStays)
   std::fill_n(groups.begin(), 30, 0);
   Progress progress(nullptr);
   // The third cluster belongs to seed 1, which is on the second.
-  KnownCosts costs(scan->working(), 10);
-  EXPECT_EQ(connectGroups(*scan->graph(), costs, {0, 40}, groups, 1, progress), groups);
+  ConnectedGroups connected(*scan->graph(), scan->working(), 10);
+  for (int twice = 0; twice < 2; ++twice)
+    EXPECT_EQ(connected.connect({0, 40}, groups, 1, progress), groups);
+}
+
+/** Seeds and groups of any shape that change a little, or much, from step to step. */
+class ChangingGroups {
+public:
+  ChangingGroups(const PreparedScan& scan, std::uint64_t random_seed)
+  : scan_(scan), generator_(random_seed), seed_of_(scan.working().size(), 0)
+  {
+    seeds_ = {0};
+    for (int k = 0; k < 5; ++k)
+      addSeed();
+  }
+
+  void
+  step()
+  {
+    switch (draw(6)) {
+    case 0:
+      addSeed();
+      break;
+    case 1:
+      if (seeds_.size() > 1)
+        removeSeed();
+      break;
+    case 2: // nothing but the numbers change
+      std::swap(seeds_[draw(seeds_.size())], seeds_[draw(seeds_.size())]);
+      break;
+    case 3:
+      break;
+    default:
+      moveBall(draw(2) == 0 ? 0.1f : 1.0f, seeds_[draw(seeds_.size())]);
+    }
+  }
+
+  const pcl::Indices&
+  seeds() const
+  {
+    return seeds_;
+  }
+
+  std::vector<pcl::index_t>
+  groups() const
+  {
+    std::vector<pcl::index_t> groups;
+    for (const pcl::index_t seed : seed_of_)
+      groups.push_back(static_cast<pcl::index_t>(
+          std::find(seeds_.begin(), seeds_.end(), seed) - seeds_.begin()));
+    return groups;
+  }
+
+private:
+  std::size_t
+  draw(std::size_t count)
+  {
+    return drawBelow(generator_, count);
+  }
+
+  /** Points around any one, all or some here and there, go to a seed; a seed stays its
+   *  own. */
+  void
+  moveBall(float radius, pcl::index_t seed)
+  {
+    const Points& points = scan_.working().points();
+    const Eigen::Vector3f center = points[draw(points.size())];
+    const std::size_t one_of = 1 + draw(4);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if ((points[i] - center).norm() <= radius && draw(one_of) == 0)
+        seed_of_[i] = seed;
+    for (const pcl::index_t each : seeds_)
+      seed_of_[static_cast<std::size_t>(each)] = each;
+  }
+
+  void
+  addSeed()
+  {
+    const auto seed = static_cast<pcl::index_t>(draw(seed_of_.size()));
+    if (std::find(seeds_.begin(), seeds_.end(), seed) != seeds_.end())
+      return;
+    seeds_.insert(seeds_.begin() + static_cast<std::ptrdiff_t>(draw(seeds_.size() + 1)),
+                  seed);
+    moveBall(1.0f, seed);
+  }
+
+  void
+  removeSeed()
+  {
+    const auto gone = seeds_.begin() + static_cast<std::ptrdiff_t>(draw(seeds_.size()));
+    const pcl::index_t seed = *gone;
+    seeds_.erase(gone);
+    std::replace(seed_of_.begin(), seed_of_.end(), seed, seeds_[draw(seeds_.size())]);
+  }
+
+  const PreparedScan& scan_;
+  RandomGenerator generator_;
+  pcl::Indices seeds_;
+  std::vector<pcl::index_t> seed_of_; ///< by point
+};
+
+/** Clouds of the tests, small and larger, with and without distances that tie. */
+std::vector<PreparedScan::ConstPtr>
+scansToConnect()
+{
+  std::vector<PreparedScan::ConstPtr> scans;
+  for (const NamedPoints& cloud : allClouds())
+    scans.push_back(preparedWithGraph(cloud.points, true, false));
+  scans.push_back(preparedWithGraph(firstOf(twoBoxes(300, 8), 1)));
+  scans.push_back(preparedWithGraph(twoBoxes(4000, 9)));
+  return scans;
+}
+
+TEST(ConnectedGroupsThreads, AreTheSameAfterAnyHistory)
+{
+  constexpr int samples = 10;
+  for (const PreparedScan::ConstPtr& scan : scansToConnect())
+    for (const int threads : {1, 2, 3, 8}) {
+      ConnectedGroups connected(*scan->graph(), scan->working(), samples);
+      ChangingGroups changing(*scan, static_cast<std::uint64_t>(threads));
+      for (int step = 0; step < 40; ++step) {
+        changing.step();
+        if (step % 7 == 3) { // one that comes to nothing
+          Progress stopped([](double) { return false; });
+          EXPECT_THROW(
+              connected.connect(changing.seeds(), changing.groups(), threads, stopped),
+              CIDCancelled);
+          continue;
+        }
+        Progress silent(nullptr);
+        ConnectedGroups fresh(*scan->graph(), scan->working(), samples);
+        ASSERT_EQ(
+            connected.connect(changing.seeds(), changing.groups(), threads, silent),
+            fresh.connect(changing.seeds(), changing.groups(), 1, silent))
+            << scan->working().size() << " points, step " << step;
+      }
+    }
+}
+
+/** Fresh ones after each step are right, too. */
+TEST(ConnectedGroups, AreThoseOfALiteralSearchAfterAnyHistory)
+{
+  for (const NamedPoints& cloud : allClouds()) {
+    SCOPED_TRACE(cloud.name);
+    const auto scan = preparedWithGraph(firstOf(cloud.points, 150), true, false);
+    ConnectedGroups connected(*scan->graph(), scan->working(), 10);
+    ChangingGroups changing(*scan, 5);
+    Progress silent(nullptr);
+    for (int step = 0; step < 12; ++step) {
+      changing.step();
+      ASSERT_EQ(connected.connect(changing.seeds(), changing.groups(), 1, silent),
+                connectLiterally(*scan, 10, changing.seeds(), changing.groups()));
+    }
+  }
+}
+
+/** Groups of different histories, side by side. */
+TEST(ConnectedGroupsThreads, MayBeConnectedSideBySide)
+{
+  const auto scan = preparedWithGraph(twoBoxes(2000, 9));
+  ConnectedGroups connected(*scan->graph(), scan->working(), 10);
+  std::vector<std::thread> threads;
+  std::vector<int> different(4, 0);
+  for (std::size_t t = 0; t < different.size(); ++t)
+    threads.emplace_back([&, t] {
+      ChangingGroups changing(*scan, t);
+      for (int step = 0; step < 20; ++step) {
+        changing.step();
+        Progress silent(nullptr);
+        ConnectedGroups fresh(*scan->graph(), scan->working(), 10);
+        different[t] +=
+            connected.connect(changing.seeds(), changing.groups(), 2, silent) ==
+                    fresh.connect(changing.seeds(), changing.groups(), 1, silent)
+                ? 0
+                : 1;
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(different, std::vector<int>(4, 0));
 }
 
 } // namespace

@@ -181,8 +181,8 @@ private:
     pcl::Indices seeds;
     for (const pcl::index_t seed : seeds_)
       seeds.push_back(scan_.workingIndex(seed, "seed"));
-    KnownCosts costs(scan_.working(), samples_);
-    group_ = connectGroups(*scan_.graph(), costs, seeds, std::move(group_), 1, silent);
+    group_ = ConnectedGroups(*scan_.graph(), scan_.working(), samples_)
+                 .connect(seeds, std::move(group_), 1, silent);
   }
 
   static bool
@@ -774,45 +774,57 @@ TEST(Grouping, RefusesASeedThatTheSubsampleDoesNotHold)
 
 TEST(Grouping, CopiesAreIndependent)
 {
-  auto original = std::make_unique<Grouping>(prepared(twoBoxes(400, 69)));
-  original->propose(10);
-  const Whole before = wholeOf(*original);
-  Grouping copy = *original;
-  expectSame(wholeOf(copy), before);
-  EXPECT_EQ(copy.sharedScan(), original->sharedScan());
-  copy.removeSeeds({0, 4});
-  copy.propose(20);
-  expectSame(wholeOf(*original), before);
-  original->addSeeds({copy.seeds().back()});
-  original.reset();
-  expectEqualsScratch(copy);
-  const Whole of_copy = wholeOf(copy);
-  Grouping moved = std::move(copy);
-  expectSame(wholeOf(moved), of_copy);
-  copy = moved;
-  moved.removeSeeds({1});
-  expectSame(wholeOf(copy), of_copy);
+  for (const NamedScan& scan : scansOf(twoBoxes(400, 69))) {
+    SCOPED_TRACE(scan.name);
+    auto original = std::make_unique<Grouping>(scan.scan);
+    original->propose(10);
+    const Whole before = wholeOf(*original);
+    Grouping copy = *original;
+    expectSame(wholeOf(copy), before);
+    EXPECT_EQ(copy.sharedScan(), original->sharedScan());
+    copy.removeSeeds({0, 4});
+    copy.propose(20);
+    expectEqualsScratch(copy);
+    expectSame(wholeOf(*original), before);
+    original->addSeeds({copy.seeds().back()});
+    expectEqualsScratch(*original);
+    original.reset();
+    expectEqualsScratch(copy);
+    const Whole of_copy = wholeOf(copy);
+    Grouping moved = std::move(copy);
+    expectSame(wholeOf(moved), of_copy);
+    copy = moved;
+    moved.removeSeeds({1});
+    expectSame(wholeOf(copy), of_copy);
+  }
 }
 
 TEST(GroupingThreads, ConstCallsMayRunSideBySide)
 {
-  Grouping grouping(prepared(twoBoxes(1500, 70)));
-  grouping.propose(30);
-  const State expected = stateOf(grouping);
-  std::vector<State> found(4);
-  std::vector<Grouping> copies(4, grouping);
-  std::vector<std::thread> threads;
-  for (std::size_t t = 0; t < 4; ++t)
-    threads.emplace_back([&, t] {
-      found[t] = stateOf(grouping);
-      copies[t] = grouping; // and groupings of one scan grow side by side
-      copies[t].propose(40);
-    });
-  for (std::thread& thread : threads)
-    thread.join();
-  for (std::size_t t = 0; t < 4; ++t) {
-    expectSame(found[t], expected);
-    expectSame(stateOf(copies[t]), stateOf(copies[0]));
+  const Points points = twoBoxes(1500, 70);
+  for (const PreparedScan::ConstPtr& scan : {prepared(points), weighted(points)}) {
+    Grouping grouping(scan);
+    grouping.propose(30);
+    const State expected = stateOf(grouping);
+    std::vector<State> found(4);
+    std::vector<Grouping> copies(4, grouping);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < 4; ++t)
+      threads.emplace_back([&, t] {
+        found[t] = stateOf(grouping);
+        copies[t] = grouping; // and groupings of one scan change side by side
+        for (std::size_t k = 0; k < 5; ++k) {
+          copies[t].removeSeeds({3 * t + k});
+          copies[t].groups();
+        }
+        copies[t].propose(40);
+      });
+    for (std::thread& thread : threads)
+      thread.join();
+    for (std::size_t t = 0; t < 4; ++t) {
+      expectSame(found[t], expected);
+      expectEqualsScratch(copies[t]);
+    }
   }
 }
 

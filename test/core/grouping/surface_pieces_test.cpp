@@ -118,45 +118,126 @@ TEST(SurfaceGraph, PatchesHangTogetherAndAreLinked)
 }
 
 /** Groups of any shape: few, in halves, at random. */
-TEST(SurfacePieces, AreThoseOfAFlood)
+std::vector<pcl::index_t>
+someGroups(const Points& points,
+           std::size_t share_of_others,
+           RandomGenerator& generator)
+{
+  std::vector<pcl::index_t> groups(points.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    groups[i] = points[i].x() > points[0].x() ? 1 : 0;
+    if (share_of_others > 0 && drawBelow(generator, share_of_others) == 0)
+      groups[i] = static_cast<pcl::index_t>(drawBelow(generator, 3));
+  }
+  return groups;
+}
+
+/** Any point of each group; the groups are numbered by these then. */
+pcl::Indices
+drawSeeds(std::vector<pcl::index_t>& groups, RandomGenerator& generator)
+{
+  pcl::Indices seeds;
+  std::vector<pcl::index_t> number(3, -1);
+  for (std::size_t tries = 0; tries < 20 || seeds.empty(); ++tries) {
+    const std::size_t point = drawBelow(generator, groups.size());
+    pcl::index_t& of_group = number[static_cast<std::size_t>(groups[point])];
+    if (of_group >= 0)
+      continue;
+    of_group = static_cast<pcl::index_t>(seeds.size());
+    seeds.push_back(static_cast<pcl::index_t>(point));
+  }
+  for (pcl::index_t& group : groups) // that no seed was drawn for: the first one's
+    group = std::max(number[static_cast<std::size_t>(group)], 0);
+  return seeds;
+}
+
+/** By vertex: the seed of its group, and its piece. */
+using Places = std::vector<std::pair<pcl::index_t, Vertex>>;
+
+Places
+floodPieces(const SurfaceGraph& graph,
+            const pcl::Indices& seeds,
+            const std::vector<pcl::index_t>& groups)
+{
+  const auto groupOf = [&](Vertex v) { return groups[graph.pointOf(v)]; };
+  Places places(graph.size(), {-1, 0});
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    if (places[v].first >= 0)
+      continue;
+    const pcl::index_t seed = seeds[static_cast<std::size_t>(groupOf(v))];
+    const std::set<Vertex> piece =
+        flood(graph, v, [&](Vertex w) { return groupOf(w) == groupOf(v); });
+    const bool is_mainland =
+        piece.count(graph.vertexOf(static_cast<std::size_t>(seed))) > 0;
+    for (const Vertex q : piece)
+      places[q] = {seed, is_mainland ? SurfacePieces::mainland : v};
+  }
+  return places;
+}
+
+TEST(SurfacePieces, AreThoseOfAFloodHoweverGroupsChanged)
 {
   RandomGenerator generator(3);
   for (const Points& points : cloudsWithRepeats()) {
     const auto scan = withGraph(points);
     const SurfaceGraph& graph = *scan->graph();
-    for (const std::size_t share_of_others : {0, 100, 10, 2}) {
-      std::vector<pcl::index_t> groups(graph.size());
-      for (std::size_t i = 0; i < groups.size(); ++i) {
-        groups[i] = points[i].x() > points[0].x() ? 1 : 0;
-        if (share_of_others > 0 && drawBelow(generator, share_of_others) == 0)
-          groups[i] = static_cast<pcl::index_t>(drawBelow(generator, 3));
-      }
-      for (const int threads : {1, 2, 3}) {
+    for (const int threads : {1, 2, 3}) {
+      SurfacePieces pieces(graph);
+      Places before(graph.size(), {-1, 0});
+      for (const std::size_t share_of_others : {0, 100, 10, 2, 100, 0}) {
+        std::vector<pcl::index_t> groups =
+            someGroups(points, share_of_others, generator);
+        const pcl::Indices seeds = drawSeeds(groups, generator);
         Progress silent(nullptr);
-        const SurfacePieces pieces(graph, groups, threads, silent);
-        std::vector<bool> seen(graph.size(), false);
+        const auto change = pieces.update(seeds, groups, threads, silent);
+        const Places expected = floodPieces(graph, seeds, groups);
+        const std::set<Vertex> changed(change.vertices.begin(), change.vertices.end());
         for (Vertex v = 0; v < graph.size(); ++v) {
-          if (seen[v])
-            continue;
-          const auto group = groups[graph.pointOf(v)];
-          for (const Vertex q : flood(graph, v, [&](Vertex w) {
-                 return groups[graph.pointOf(w)] == group;
-               })) {
-            seen[q] = true;
-            ASSERT_EQ(pieces.of(q), v);
+          ASSERT_EQ(pieces.groupOf(v), groups[graph.pointOf(v)]);
+          ASSERT_EQ(pieces.of(v), expected[v].second);
+          if (expected[v] != before[v]) {
+            ASSERT_EQ(changed.count(v), 1u);
           }
         }
-        Vertex end = 0;
-        pieces.forEachRun([&](SurfaceGraph::Patch run) {
-          ASSERT_EQ(run.begin, end);
-          end = run.end;
-          for (Vertex v = run.begin; v < run.end; ++v)
-            ASSERT_EQ(pieces.of(v), pieces.of(run.begin));
-        });
-        ASSERT_EQ(end, graph.size());
+        before = expected;
       }
     }
   }
+}
+
+/** Where one vertex goes from one group to another, this and no other one, unless it
+ *  held pieces together, is said to have changed. */
+TEST(SurfacePieces, SayWhatChanged)
+{
+  Points row;
+  for (int i = 0; i < 100; ++i)
+    row.emplace_back(static_cast<float>(i), 0.0f, 0.0f);
+  const auto scan = withGraph(row);
+  const SurfaceGraph& graph = *scan->graph();
+  SurfacePieces pieces(graph);
+  Progress silent(nullptr);
+  std::vector<pcl::index_t> groups(100, 0);
+  std::fill_n(groups.begin() + 50, 50, 1);
+  const auto changed = [&](const pcl::Indices& seeds) {
+    std::set<std::size_t> points;
+    for (const Vertex v : pieces.update(seeds, groups, 1, silent).vertices)
+      points.insert(graph.pointOf(v));
+    return points;
+  };
+  EXPECT_EQ(changed({0, 99}).size(), 100u);
+  EXPECT_EQ(changed({0, 99}).size(), 0u);
+  groups[49] = 1;
+  EXPECT_EQ(changed({0, 99}), std::set<std::size_t>{49});
+  for (pcl::index_t& group : groups) // a third seed before both
+    ++group;
+  groups[20] = 0;
+  EXPECT_EQ(changed({20, 0, 99}), std::set<std::size_t>{20});
+  for (pcl::index_t& group : groups) // and away
+    group = std::max(group - 1, 0);
+  EXPECT_EQ(changed({0, 99}), std::set<std::size_t>{20});
+  for (pcl::index_t& group : groups) // seeds that change places
+    group = 1 - group;
+  EXPECT_FALSE(changed({99, 0}).empty());
 }
 
 } // namespace
