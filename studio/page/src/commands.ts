@@ -10,12 +10,12 @@
 import { bindings } from './bindings';
 import type { Commands } from './bindings';
 import { MARK_GROUP } from './cloud_geometry';
-import type { Parts } from './parts';
+import type { Workbench } from './workbench';
 import { chooseViewPoint } from './view_points';
 
-export function connectCommands(parts: Parts): Commands {
-  const { actions, asking, camera, colors, corrections, doubt, help, isDrawn, keys, lasso, messages } = parts;
-  const { panel, picking, pointer, questions, saving, section, seeds, session, table, view } = parts;
+export function connectCommands(bench: Workbench): Commands {
+  const { actions, asking, camera, colors, corrections, doubt, help, isDrawn, keys, lasso, messages } = bench;
+  const { panel, picking, pointer, questions, saving, section, seeds, session, table, view } = bench;
   const here = (): number | null => picking.pick(pointer.cursor.x, pointer.cursor.y);
   const clearMarks = (): void => {
     view.cloud.mark(MARK_GROUP, new Uint32Array(0));
@@ -97,7 +97,7 @@ export function connectCommands(parts: Parts): Commands {
     },
     lighting: () => {
       view.lighting.enabled = !view.lighting.enabled;
-      parts.toolbarChanged?.();
+      bench.toolbarChanged?.();
       view.invalidate();
     },
     seeds: () => seeds.toggle(),
@@ -122,7 +122,7 @@ export function connectCommands(parts: Parts): Commands {
       messages.note(`${session.nameOf(label)} has no points.`);
       return;
     }
-    const { target, direction, distance } = chooseViewPoint(view, camera, places, parts.diagonal, isDrawn);
+    const { target, direction, distance } = chooseViewPoint(view, camera, places, bench.diagonal, isDrawn);
     void camera.lookFrom(target, direction, distance);
   };
   return commands;

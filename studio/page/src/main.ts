@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Opens the scan and puts the parts of the page together.
+ * Opens the scan and puts the page together.
  */
 
 import './style.css';
@@ -89,10 +89,10 @@ async function open(root: HTMLElement): Promise<void> {
   const help = new Help(root, keys);
   const saving = new ExportDialog(root, connection, info.name);
   const pointer = new Pointer(view);
-  const parts = { actions, area, asking, camera, colors, connection, corrections, diagonal, doubt, help, isDrawn, keys, lasso, messages, panel, picking, pointer, questions, saving, section, seeds, session, status, table, view };
-  const commands = connectCommands(parts);
-  const toolbar = makeToolbar(parts, commands, info);
-  connectPointer(parts);
+  const bench = { actions, area, asking, camera, colors, connection, corrections, diagonal, doubt, help, isDrawn, keys, lasso, messages, panel, picking, pointer, questions, saving, section, seeds, session, status, table, view };
+  const commands = connectCommands(bench);
+  const toolbar = makeToolbar(bench, commands, info);
+  connectPointer(bench);
   area.append(section.panel, colors.legend, questions.done);
   root.prepend(toolbar.element);
   root.append(panel.element, status.element);

@@ -7,10 +7,10 @@
  * What clicks and a resting cursor do, by what is open.
  */
 
-import type { Parts } from './parts';
+import type { Workbench } from './workbench';
 
-export function connectPointer(parts: Parts): void {
-  const { asking, camera, colors, corrections, lasso, picking, pointer, questions, session, status, view } = parts;
+export function connectPointer(bench: Workbench): void {
+  const { asking, camera, colors, corrections, lasso, picking, pointer, questions, session, status, view } = bench;
 
   pointer.on('click', ({ x, y, shift, alt }) => {
     const place = picking.pick(x, y);

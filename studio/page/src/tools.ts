@@ -9,12 +9,12 @@
 
 import type { Commands } from './bindings';
 import { el } from './dom';
-import type { Parts } from './parts';
+import type { Workbench } from './workbench';
 import type { ScanInfo } from './protocol';
 import { Toolbar } from './toolbar';
 
-export function makeToolbar(parts: Parts, commands: Commands, info: ScanInfo): Toolbar {
-  const { actions, colors, lasso, messages, questions, section, session, view } = parts;
+export function makeToolbar(bench: Workbench, commands: Commands, info: ScanInfo): Toolbar {
+  const { actions, colors, lasso, messages, questions, section, session, view } = bench;
   const bar = new Toolbar(info.name, info.session);
   const more = el('select', { 'aria-label': 'More about questions', title: 'More about questions', class: 'more' });
   for (const [value, text] of [
@@ -60,7 +60,7 @@ export function makeToolbar(parts: Parts, commands: Commands, info: ScanInfo): T
   );
 
   const refresh = (): void => {
-    const connected = parts.connection.isOpen && session.ready;
+    const connected = bench.connection.isOpen && session.ready;
     const may = connected && session.writer;
     bar.mayChange(may);
     bar.disable('undo', !may || session.undo === 0);
@@ -72,15 +72,15 @@ export function makeToolbar(parts: Parts, commands: Commands, info: ScanInfo): T
     bar.press('lighting', view.lighting.enabled);
     bar.press('lasso', lasso.on);
   };
-  parts.toolbarChanged = refresh;
+  bench.toolbarChanged = refresh;
   lasso.toggled = (on) => {
     if (on) messages.say('Lasso');
     refresh();
   };
   session.on('changed', refresh);
   section.on('changed', refresh);
-  parts.connection.on('connected', refresh);
-  parts.connection.on('disconnected', () => {
+  bench.connection.on('connected', refresh);
+  bench.connection.on('disconnected', () => {
     if (lasso.on) lasso.toggle(false);
     refresh();
   });

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The parts of the page that keys, buttons and the mouse work on.
+ * What keys, buttons and the mouse work on.
  */
 
 import type { Actions } from './actions';
@@ -30,7 +30,7 @@ import type { SeedMarkers } from './seed_markers';
 import type { Session } from './session';
 import type { StatusBar } from './status';
 
-export interface Parts {
+export interface Workbench {
   actions: Actions;
   area: HTMLElement;
   asking: Asking;
