@@ -12,7 +12,7 @@ import { readFile } from 'node:fs/promises';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { WebSocketServer } from 'ws';
-import { Refused } from './world.mjs';
+import { Refused } from './refused.mjs';
 
 const DIST = fileURLToPath(new URL('../dist/', import.meta.url));
 const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
@@ -50,7 +50,24 @@ function describe(world) {
   return {
     name: 'meeting_room.pcd', places: world.places, points: world.places, low, high, origin: [0, 0, 0], up: [0, 0, 1],
     has_color: !world.colorless, classes: CLASSES.map((name) => ({ name })), session: 'meeting_room.studio', version: '0.0.0',
+    meshes: ['obj', 'stl', 'ply'], scenes: [{ name: 'urdf', help: 'A robot description with one link' }, { name: 'sdf', help: 'A static model for Gazebo' }],
   };
+}
+
+/** What takes the server so long that a change may come in between. */
+const SLOW = new Set(['hulls', 'tightness']);
+
+function refuse(socket, header, error) {
+  socket.send(encode({ id: header.id, ok: false, error }));
+}
+
+function guarded(socket, header, work) {
+  try {
+    work();
+  } catch (error) {
+    if (!(error instanceof Refused)) console.error(error);
+    refuse(socket, header, error.message);
+  }
 }
 
 /** `delay`: milliseconds before each answer, to see how waiting looks. */
@@ -89,9 +106,20 @@ export async function startMock(world, { port = 0, delay = 0 } = {}) {
     const { header, arrays } = decode(data);
     const reply = (fields, out) => socket.send(encode({ id: header.id, ok: true, ...fields }, out));
     const writer = socket === open[0];
-    try {
-      if (header.do) {
-        if (!writer) throw new Refused('Another page is the writer of this session.');
+    guarded(socket, header, () => {
+      if (header.do && !writer) throw new Refused('Another page is the writer of this session.');
+      if (world.parts.knows(header.do)) {
+        if (header.do === 'decompose') socket.send(encode({ event: 'progress', id: header.id, share: 0.5 }));
+        world.changeParts(header);
+        reply(world.partsSummary(true));
+        for (const other of open) if (other !== socket) other.send(encode({ event: 'parts', ...world.partsSummary(other === open[0]) }));
+      } else if (SLOW.has(header.ask)) {
+        const { revision } = world;
+        setTimeout(() => {
+          if (world.revision !== revision) refuse(socket, header, 'cancelled');
+          else guarded(socket, header, () => reply(...world.answer(header)));
+        }, 15);
+      } else if (header.do) {
         const places = world.change(header, arrays);
         const delta = { places, labels: places.map((p) => world.labels[p]), groups: places.map((p) => world.groups[p]) };
         reply(world.summary(true), delta);
@@ -101,10 +129,7 @@ export async function startMock(world, { port = 0, delay = 0 } = {}) {
       } else {
         reply(...world.answer(header));
       }
-    } catch (error) {
-      if (!(error instanceof Refused)) console.error(error);
-      socket.send(encode({ id: header.id, ok: false, error: error.message }));
-    }
+    });
   }
   await new Promise((done) => server.listen(port, '127.0.0.1', done));
   return {

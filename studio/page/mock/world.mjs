@@ -7,16 +7,17 @@
  * A session in memory with the rules of the protocol; groups are nearest seeds in straight lines.
  */
 
+import { PartsWorld } from './parts.mjs';
+import { Refused } from './refused.mjs';
 import { makeRoom } from './room.mjs';
 
 const NONE = 0xffffffff;
-
-export class Refused extends Error {}
 
 export class World {
   constructor({ places = 60000, questions = 24 } = {}) {
     Object.assign(this, makeRoom(places));
     this.places = places;
+    this.parts = new PartsWorld(this.positions);
     this.labels = new Uint32Array(places);
     this.groups = new Uint32Array(places).fill(NONE);
     this.state = { seeds: [], instances: [], painted: new Map() };
@@ -150,6 +151,15 @@ export class World {
     return this.recompute();
   }
 
+  changeParts(h) {
+    this.parts.change(h);
+    this.revision++;
+  }
+
+  partsSummary(writer) {
+    return { revision: this.revision, writer, parts: this.parts.summary() };
+  }
+
   summary(writer) {
     return {
       revision: this.revision,
@@ -214,6 +224,8 @@ export class World {
       if (h.file === 'fail') throw new Refused('fail.pcd could not be written: there is no space left on the disk.');
       return [{ files: h.format === 'scannet' ? [`${h.file}.txt`, `${h.file}.segs.json`] : [`${h.file}.${h.format}`], remarks: [] }, {}];
     }
+    const ofParts = this.parts.answer(h);
+    if (ofParts) return ofParts;
     throw new Refused(`The server does not know ${h.ask}.`);
   }
 }

@@ -43,20 +43,35 @@ export class Actions {
     return this.send(header, {});
   }
 
+  /** Asks until there is an answer: what a change cancelled is asked again. */
+  async insist(header: Header): Promise<Message | null> {
+    for (;;) {
+      if (!this.connection.isOpen) return null;
+      try {
+        return await this.connection.request(header);
+      } catch (error) {
+        if (error instanceof Cancelled) continue;
+        this.tell(error, header);
+        return null;
+      }
+    }
+  }
+
   private async send(header: Header, arrays: Arrays): Promise<Message | null> {
     try {
       return await this.connection.request(header, arrays);
     } catch (error) {
-      if (error instanceof Cancelled) return null;
-      if (error instanceof Disconnected) {
-        // What changed nothing can simply be asked again.
-        if ('do' in header) {
-          this.messages.error('The connection broke before the server answered. Look whether the last action was taken.');
-        }
-        return null;
-      }
-      this.messages.error(error instanceof Error ? error.message : String(error));
+      if (!(error instanceof Cancelled)) this.tell(error, header);
       return null;
+    }
+  }
+
+  private tell(error: unknown, header: Header): void {
+    if (!(error instanceof Disconnected)) {
+      this.messages.error(error instanceof Error ? error.message : String(error));
+    } else if ('do' in header) {
+      // What changed nothing can simply be asked again.
+      this.messages.error('The connection broke before the server answered. Look whether the last action was taken.');
     }
   }
 

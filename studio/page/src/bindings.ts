@@ -10,6 +10,7 @@
 import type { Binding } from './keys';
 
 export interface Commands {
+  modes(): void;
   next(): void;
   skip(): void;
   escape(): void;
@@ -53,7 +54,7 @@ export function bindings(c: Commands): Binding[] {
   const camera = 'Camera';
   const all = 'General';
   const mouse = (group: string, shown: string, text: string): Binding => ({ keys: [], shown, group, text });
-  return [
+  const ofLabels: Binding[] = [
     { keys: ['Space'], group: work, text: 'Next question', run: c.next, whileAsking: true },
     { keys: ['Shift+Space'], group: work, text: 'Skip to the question after this one', run: c.skip, whileAsking: true },
     { keys: ['N'], group: work, text: 'The same, outside the field', run: c.skip },
@@ -76,8 +77,6 @@ export function bindings(c: Commands): Binding[] {
     { keys: ['P'], group: correct, text: 'Preview of what a click takes, on or off', run: c.previews },
     { keys: ['L'], group: correct, text: 'Lasso (Alt+drag takes paint away)', run: c.lasso },
     { keys: ['Shift+U'], group: correct, text: 'Next doubtful area', run: c.nextDoubt },
-    { keys: ['Ctrl+Z'], group: correct, text: 'Undo', run: c.undo, whileAsking: true },
-    { keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], group: correct, text: 'Redo', run: c.redo, whileAsking: true },
 
     { keys: ['J'], group: instances, text: 'Go to the list', run: c.list },
     mouse(instances, '↑ ↓ Enter', 'In the list: choose, go there'),
@@ -89,10 +88,15 @@ export function bindings(c: Commands): Binding[] {
     { keys: ['Z'], group: instances, text: 'Hide all but the active one', run: c.isolate },
     { keys: ['Shift+H'], group: instances, text: 'Show all', run: c.showAll },
 
-    { keys: ['V'], group: look, text: 'Next color mode', run: () => c.colors(1) },
-    { keys: ['Shift+V'], group: look, text: 'Color mode before', run: () => c.colors(-1) },
     { keys: ['B'], group: look, text: 'Instances or the mode before', run: c.labels },
     { keys: ['U'], group: look, text: 'Doubt', run: c.doubt },
+    { keys: ['K'], group: look, text: 'Seeds', run: c.seeds },
+  ];
+  return [
+    ...ofLabels.map((one): Binding => ({ ...one, mode: 'labels' })),
+
+    { keys: ['V'], group: look, text: 'Next color mode', run: () => c.colors(1) },
+    { keys: ['Shift+V'], group: look, text: 'Color mode before', run: () => c.colors(-1) },
     { keys: ['C'], group: look, text: 'Cut the ceiling away', run: c.ceiling },
     { keys: ['['], group: look, text: 'Cut lower', run: () => c.moveCeiling(-0.02) },
     { keys: [']'], group: look, text: 'Cut higher', run: () => c.moveCeiling(0.02) },
@@ -100,7 +104,6 @@ export function bindings(c: Commands): Binding[] {
     { keys: ['-'], group: look, text: 'Smaller points', run: () => c.pointSize(1 / 1.25) },
     { keys: ['+', '='], group: look, text: 'Larger points', run: () => c.pointSize(1.25) },
     { keys: ['O'], group: look, text: 'Eye-dome lighting', run: c.lighting },
-    { keys: ['K'], group: look, text: 'Seeds', run: c.seeds },
 
     mouse(camera, 'Drag', 'Turn about the point under the cursor'),
     mouse(camera, 'Right or ⇧Drag', 'Move sideways'),
@@ -117,6 +120,9 @@ export function bindings(c: Commands): Binding[] {
     { keys: ['T'], group: camera, text: 'From above', run: c.top },
     { keys: ['H'], group: camera, text: 'The whole scan', run: c.home },
 
+    { keys: ['Ctrl+Z'], group: all, text: 'Undo', run: c.undo, whileAsking: true },
+    { keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], group: all, text: 'Redo', run: c.redo, whileAsking: true },
+    { keys: ['G'], group: all, text: 'Labels or parts', run: c.modes },
     { keys: ['Ctrl+S'], group: all, text: 'Save as other formats', run: c.save, always: true },
     { keys: ['?', 'F1'], group: all, text: 'This list', run: c.help, whileAsking: true },
     { keys: ['Escape'], group: all, text: 'Leave what is open', run: c.escape, always: true },

@@ -8,6 +8,8 @@
  */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, IntType } from 'three';
+import type { WorkMode } from './modes';
+import type { PartsState } from './parts_state';
 import type { Session } from './session';
 
 /** Changed values are sent in whole blocks: places are in random order, so a change is spread widely. */
@@ -23,13 +25,16 @@ export class CloudGeometry {
   readonly scalars: Float32Array;
   readonly marks: Uint8Array;
   private markedPlaces: Uint32Array[] = [new Uint32Array(0), new Uint32Array(0)];
+  private groupsOf: Record<WorkMode, BufferAttribute>;
   private attributes: Record<'position' | 'color' | 'label' | 'group' | 'scalar' | 'mark', BufferAttribute>;
 
   constructor(
     readonly places: number,
     hasColor: boolean,
     session: Session,
+    parts: PartsState,
   ) {
+    this.groupsOf = { labels: new BufferAttribute(session.groups, 1), parts: new BufferAttribute(parts.groupOf, 1) };
     this.positions = new Float32Array(3 * places);
     this.colors = new Uint8Array(hasColor ? 4 * places : 4);
     this.scalars = new Float32Array(places).fill(-1);
@@ -40,7 +45,7 @@ export class CloudGeometry {
       position: new BufferAttribute(this.positions, 3),
       color: new BufferAttribute(this.colors, 4, true),
       label: new BufferAttribute(session.labels, 1),
-      group: new BufferAttribute(session.groups, 1),
+      group: this.groupsOf.labels,
       scalar: new BufferAttribute(this.scalars, 1),
       mark,
     };
@@ -61,7 +66,17 @@ export class CloudGeometry {
   /** Labels and groups of these places changed; null: of all. */
   labelsChanged(places: Uint32Array | null): void {
     this.send(this.attributes.label, places);
-    this.send(this.attributes.group, places);
+    this.send(this.groupsOf.labels, places);
+  }
+
+  partGroupsChanged(): void {
+    this.send(this.groupsOf.parts, null);
+  }
+
+  /** Each mode has its own groups: those of seeds, or those that parts are made of. */
+  showGroups(of: WorkMode): void {
+    this.groupsOf[of].setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute('group', this.groupsOf[of]);
   }
 
   setScalars(values: Float32Array): void {

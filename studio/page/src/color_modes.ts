@@ -11,6 +11,7 @@ import { DataTexture, RGBAFormat } from 'three';
 import type { Texture } from 'three';
 import type { Actions } from './actions';
 import { el, metres } from './dom';
+import type { WorkMode } from './modes';
 import { CID_RAMP, DOUBT_RAMP, HEIGHT_RAMP, rampCss } from './palette';
 import type { PointCloudView } from './point_cloud_view';
 import type { SectionCut } from './section';
@@ -24,9 +25,15 @@ const NAMES: Record<ModeName, string> = {
   height: 'Height',
   label: 'Instances',
   class: 'Classes',
-  group: 'Groups of seeds',
+  group: 'Groups',
   cid: 'CID from the cursor',
   doubt: 'Doubt',
+  part: 'Parts',
+};
+
+const OFFERED: Record<WorkMode, ModeName[]> = {
+  labels: ['rgb', 'height', 'label', 'class', 'group', 'cid', 'doubt'],
+  parts: ['part', 'group', 'rgb', 'height', 'label', 'class'],
 };
 
 const RAMPS: Partial<Record<ModeName, Uint8Array>> = { height: HEIGHT_RAMP, cid: CID_RAMP, doubt: DOUBT_RAMP };
@@ -45,7 +52,9 @@ export class ColorModes {
   private before: ModeName = 'label';
   /** Nobody has chosen a mode yet. */
   private untouched = true;
-  private available: ModeName[];
+  private available: ModeName[] = [];
+  private work: WorkMode = 'labels';
+  private lastOf: Record<WorkMode, ModeName> = { labels: 'height', parts: 'part' };
   private textures = new Map<Uint8Array, Texture>();
   private cidBusy = false;
   private cidNext: number | null = null;
@@ -58,11 +67,10 @@ export class ColorModes {
     session: Session,
     private section: SectionCut,
     private actions: Actions,
-    hasColor: boolean,
+    private hasColor: boolean,
   ) {
-    this.available = (Object.keys(MODE) as ModeName[]).filter((mode) => hasColor || mode !== 'rgb');
     this.select = el('select', { 'aria-label': 'What the colors say', title: 'What the colors say (V)' });
-    for (const mode of this.available) this.select.append(el('option', { value: mode, text: NAMES[mode] }));
+    this.offer('labels');
     this.select.addEventListener('change', () => {
       this.untouched = false;
       this.set(this.select.value as ModeName);
@@ -77,8 +85,22 @@ export class ColorModes {
     this.set(hasColor ? 'rgb' : 'height');
   }
 
+  private offer(work: WorkMode): void {
+    this.available = OFFERED[work].filter((mode) => this.hasColor || mode !== 'rgb');
+    this.select.replaceChildren(...this.available.map((mode) => el('option', { value: mode, text: NAMES[mode] })));
+  }
+
+  /** Other work has other colors; those of before come back with it. */
+  workOn(work: WorkMode): void {
+    this.lastOf[this.work] = this.mode;
+    this.work = work;
+    this.offer(work);
+    this.set(this.lastOf[work]);
+    this.before = work === 'labels' ? 'label' : this.hasColor ? 'rgb' : 'height';
+  }
+
   set(mode: ModeName): void {
-    if (mode !== 'doubt' && mode !== 'cid') this.before = mode;
+    if (mode !== this.mode && this.mode !== 'doubt' && this.mode !== 'cid') this.before = this.mode;
     this.mode = mode;
     this.select.value = mode;
     const { uniforms, cloud } = this.view;

@@ -14,8 +14,8 @@ import type { Workbench } from './workbench';
 import { chooseViewPoint } from './view_points';
 
 export function connectCommands(bench: Workbench): Commands {
-  const { actions, asking, camera, colors, corrections, doubt, help, isDrawn, keys, lasso, messages } = bench;
-  const { panel, picking, pointer, questions, saving, section, seeds, session, table, view } = bench;
+  const { actions, asking, camera, colors, corrections, doubt, help, isDrawn, keys, lasso, messages, modes } = bench;
+  const { panel, partsWork, picking, pointer, questions, saving, section, seeds, session, table, view } = bench;
   const here = (): number | null => picking.pick(pointer.cursor.x, pointer.cursor.y);
   const clearMarks = (): void => {
     view.cloud.mark(MARK_GROUP, new Uint32Array(0));
@@ -26,7 +26,9 @@ export function connectCommands(bench: Workbench): Commands {
     if (place === null) messages.note('There is no point under the cursor.');
     else act(place);
   };
-  const step = async (what: 'undo' | 'redo', n: number): Promise<void> => {
+  const step = async (what: 'undo' | 'redo'): Promise<void> => {
+    if (modes.isParts) return partsWork.step(what);
+    const n = session[what];
     if (session.ready && n === 0) {
       messages.note(`There is nothing to ${what}.`);
       return;
@@ -39,6 +41,7 @@ export function connectCommands(bench: Workbench): Commands {
     if (done && asked) await questions.start();
   };
   const commands: Commands = {
+    modes: () => modes.toggle(),
     next: () => {
       lasso.toggle(false);
       // A question is about what is seen; these two show something measured.
@@ -50,7 +53,8 @@ export function connectCommands(bench: Workbench): Commands {
       void questions.skip();
     },
     escape: () => {
-      if (asking.current) asking.cancel();
+      if (modes.isParts) partsWork.select(null);
+      else if (asking.current) asking.cancel();
       else if (lasso.on) lasso.toggle(false);
       else {
         questions.leave();
@@ -67,8 +71,8 @@ export function connectCommands(bench: Workbench): Commands {
     giveHere: () => atCursor((place) => void corrections.giveToActive(place)),
     removeSeed: () => void corrections.removeSeed(pointer.cursor.x, pointer.cursor.y, isDrawn),
     previews: () => corrections.togglePreviews(),
-    undo: () => void step('undo', session.undo),
-    redo: () => void step('redo', session.redo),
+    undo: () => void step('undo'),
+    redo: () => void step('redo'),
     lasso: () => {
       questions.leave();
       lasso.toggle();
@@ -109,10 +113,14 @@ export function connectCommands(bench: Workbench): Commands {
     section: () => section.toggleBox(),
     home: () => void camera.home(),
     top: () => void camera.top(),
-    focus: () => atCursor((place) => void camera.focus(picking.positionOf(place))),
+    focus: () => {
+      const part = modes.isParts ? partsWork.selectedPart : null;
+      if (part) partsWork.focus(part);
+      else atCursor((place) => void camera.focus(picking.positionOf(place)));
+    },
     turn: (right, up) => camera.turn(right, up),
     zoom: (factor) => camera.zoom(factor),
-    save: () => saving.open(),
+    save: () => saving[modes.current].open(),
     help: () => help.toggle(),
   };
   keys.add(...bindings(commands));

@@ -30,6 +30,7 @@ interface Events {
   /** The program was started again, with another address: this page cannot come back. */
   replaced: void;
   session: Message;
+  parts: Message;
   progress: number | null;
 }
 
@@ -88,8 +89,8 @@ export class Connection extends Emitter<Events> {
       this.emit('progress', header.share as number);
       return;
     }
-    if (header.event === 'changed') {
-      this.emit('session', message);
+    if (header.event === 'changed' || header.event === 'parts') {
+      this.tell(message);
       return;
     }
     const pending = this.pending.get(header.id as number);
@@ -97,13 +98,19 @@ export class Connection extends Emitter<Events> {
     this.pending.delete(header.id as number);
     this.emit('progress', null);
     if (header.ok === true) {
-      if ('revision' in header) this.emit('session', message);
+      this.tell(message);
       pending.resolve(message);
     } else if (header.error === 'cancelled') {
       pending.reject(new Cancelled('cancelled'));
     } else {
       pending.reject(new Refused(String(header.error)));
     }
+  }
+
+  /** Labels and parts have states of their own. */
+  private tell(message: Message): void {
+    if ('parts' in message.header) this.emit('parts', message);
+    else if ('revision' in message.header) this.emit('session', message);
   }
 
   private closed(): void {

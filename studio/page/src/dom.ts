@@ -55,6 +55,9 @@ export const ICONS = {
   box: 'M2.5 5 8 2.5 13.5 5v6L8 13.5 2.5 11V5ZM2.5 5 8 7.5 13.5 5M8 7.5v6',
   light: 'M8 2.5a5.5 5.5 0 1 0 0 11 5.5 5.5 0 0 0 0-11ZM8 2.5v11M8 5h4.5M8 8h5.5M8 11h4.5',
   doubt: 'M5.5 6a2.5 2.5 0 1 1 3.6 2.2C8.3 8.7 8 9 8 10M8 12.5v.5',
+  hull: 'M8 2 13.5 5.5 12 12 5 13.5 2.5 7 8 2ZM8 2l-3 11.5M8 2l4 10',
+  points: 'M4 4h0M8 3h0M12 5h0M5 8h0M9 7.5h0M13 9h0M4 12h0M8 12.5h0M11.5 13h0',
+  label: 'M2.5 3h6l5 5-5.5 5.5-5.5-5.5V3ZM5.5 6h0',
   save: 'M8 2.5v7M5 6.5l3 3 3-3M3 10v3.5h10V10',
   keys: 'M2 4.5h12v7H2v-7ZM4.5 7h0M7 7h0M9.5 7h0M12 7h0M5 9.5h6',
   next: 'M4 3l5 5-5 5M9 3l5 5-5 5',
@@ -81,4 +84,9 @@ export function shortCount(n: number): string {
 
 export function metres(x: number): string {
   return Math.abs(x) < 0.1 ? (x * 100).toFixed(1) + ' cm' : x.toFixed(2) + ' m';
+}
+
+/** Cubic metres, or litres where those are few. */
+export function volume(x: number): string {
+  return x < 0.1 ? (x * 1000).toFixed(1) + ' L' : x.toFixed(2) + ' m³';
 }

@@ -4,38 +4,39 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Save as: the formats, one line each, and what was written.
+ * Save as: what is to be written, under which name, and what was.
  */
 
 import { Cancelled } from './connection';
 import type { Connection } from './connection';
 import { ICONS, el, icon } from './dom';
+import type { Header } from './protocol';
 
-const FORMATS = [
-  ['pcd', 'PCD', 'The scan with all its fields, and label and class for each point'],
-  ['ply', 'PLY', 'The same as PLY, for CloudCompare and MeshLab'],
-  ['seeds', 'Seeds', 'The seeds as CSV: index of the point, label, class'],
-  ['scannet', 'ScanNet', 'Submission files of the benchmark and segs.json'],
-  ['s3dis', 'S3DIS', 'A room folder with one text file for each instance'],
-  ['kitti', 'KITTI', 'A .label file: class and instance in 32 bits for each point'],
-] as const;
+/** What a dialog saves, and how the server is asked for it. */
+export interface Export {
+  title: string;
+  note: string;
+  /** The name that is proposed. */
+  stem: string;
+  fields: () => HTMLElement[];
+  request: (data: FormData) => Header;
+}
 
 export class ExportDialog {
-  private dialog = el('dialog', { class: 'export', 'aria-label': 'Save as' });
+  private dialog = el('dialog', { class: 'export' });
   private file: HTMLInputElement;
   private write: HTMLButtonElement;
   private outcome = el('div', { class: 'outcome', role: 'status', 'aria-live': 'polite' });
-  private stem: string;
 
   constructor(
     parent: HTMLElement,
     private connection: Connection,
-    scanName: string,
+    private what: Export,
   ) {
     parent.append(this.dialog);
-    this.stem = scanName.replace(/\.[^.]*$/, '') + '_labels';
+    this.dialog.setAttribute('aria-label', what.title);
     this.file = el('input', { type: 'text', name: 'file', 'aria-label': 'File name without ending', spellcheck: 'false', autocomplete: 'off' });
-    this.file.value = this.stem;
+    this.file.value = what.stem;
     this.write = el('button', { class: 'primary', type: 'submit', text: 'Write' });
     this.dialog.append(this.form());
     this.dialog.addEventListener('click', (event) => {
@@ -44,24 +45,12 @@ export class ExportDialog {
   }
 
   open(): void {
-    this.outcome.replaceChildren(el('p', { class: 'muted', text: 'The session itself is always on the disk; this writes files for others, into its folder.' }));
+    this.outcome.replaceChildren(el('p', { class: 'muted', text: this.what.note }));
     this.dialog.showModal();
     this.dialog.querySelector<HTMLInputElement>('input[type=radio]:checked')?.focus();
   }
 
   private form(): HTMLElement {
-    const formats = el('div', { class: 'formats', role: 'radiogroup', 'aria-label': 'Format' });
-    for (const [value, name, text] of FORMATS) {
-      formats.append(
-        el(
-          'label',
-          { class: 'format' },
-          el('input', { type: 'radio', name: 'format', value, checked: value === 'pcd' }),
-          el('span', { class: 'format-name', text: name }),
-          el('span', { class: 'format-text', text }),
-        ),
-      );
-    }
     return el(
       'form',
       {
@@ -73,10 +62,10 @@ export class ExportDialog {
       el(
         'header',
         {},
-        el('h2', { text: 'Save as' }),
+        el('h2', { text: this.what.title }),
         el('button', { class: 'quiet', 'aria-label': 'Close', click: () => this.dialog.close() }, icon(ICONS.close)),
       ),
-      formats,
+      ...this.what.fields(),
       el('label', { class: 'file' }, el('span', { text: 'Name' }), this.file, this.write),
       this.outcome,
     );
@@ -92,7 +81,7 @@ export class ExportDialog {
     this.write.disabled = true;
     this.outcome.replaceChildren(el('p', { class: 'muted', text: 'Writing …' }));
     try {
-      const { header } = await this.connection.request({ ask: 'export', format: data.get('format'), file });
+      const { header } = await this.connection.request({ ...this.what.request(data), file });
       const list = el('ul', {});
       for (const name of header.files as string[]) list.append(el('li', { text: name }));
       const remarks = (header.remarks as string[]).map((text) => el('p', { class: 'muted', text }));
@@ -103,4 +92,26 @@ export class ExportDialog {
     }
     this.write.disabled = false;
   }
+}
+
+/** One of several, one line each. */
+export function choice(name: string, label: string, options: readonly (readonly [value: string, name: string, text: string])[]): HTMLElement {
+  const list = el('div', { class: 'formats', role: 'radiogroup', 'aria-label': label });
+  options.forEach(([value, title, text], i) => {
+    list.append(
+      el(
+        'label',
+        { class: 'format' },
+        el('input', { type: 'radio', name, value, checked: i === 0 }),
+        el('span', { class: 'format-name', text: title }),
+        el('span', { class: 'format-text', text }),
+      ),
+    );
+  });
+  return list;
+}
+
+/** The name of a scan without its ending. */
+export function stemOf(scanName: string): string {
+  return scanName.replace(/\.[^.]*$/, '');
 }

@@ -8,6 +8,7 @@
  */
 
 import {
+  AlwaysDepth,
   BufferAttribute,
   BufferGeometry,
   Camera,
@@ -43,8 +44,7 @@ export class EyeDomeLighting {
       glslVersion: GLSL3,
       vertexShader: screenVertex,
       fragmentShader: eyeDomeFragment,
-      depthTest: false,
-      depthWrite: false,
+      depthFunc: AlwaysDepth,
       uniforms: {
         picture: { value: this.target.texture },
         depth: { value: depthTexture },

@@ -10,13 +10,14 @@
 import type { Asking } from './asking';
 import type { Connection } from './connection';
 import type { ColorModes } from './color_modes';
+import type { PartsHook } from './parts_hook';
 import type { Picking } from './picking';
 import type { PointCloudView } from './point_cloud_view';
 import type { Questions } from './questions';
 import type { SectionCut } from './section';
 import type { Session } from './session';
 
-export interface StudioHook {
+export interface StudioHook extends PartsHook {
   /** Numbers of what there is. */
   counts(): { places: number; seeds: number; questions: number; instances: number; unlabeled: number; undo: number; redo: number; revision: number };
   labelOf(place: number): number;
@@ -55,11 +56,13 @@ export function makeHook(
   questions: Questions,
   asking: Asking,
   connection: Connection,
+  partsHook: PartsHook,
   isDrawn: (place: number) => boolean,
   busy: () => boolean,
 ): StudioHook {
   const corner = (): DOMRect => view.canvas.getBoundingClientRect();
   const hook: StudioHook = {
+    ...partsHook,
     counts: () => ({
       places: session.places,
       seeds: session.seeds.size,

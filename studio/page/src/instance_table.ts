@@ -7,25 +7,16 @@
  * Colors and visibility by instance and class, as small textures that the shaders look up.
  */
 
-import { DataTexture, NearestFilter, RGBAFormat, UnsignedByteType } from 'three';
 import { Emitter } from './emitter';
+import { LOOKUP_WIDTH, lookupTexture } from './lookup_texture';
 import { UNLABELED, colorOf } from './palette';
 import type { Session } from './session';
 
-const WIDTH = 256;
-
-function table(rows: number): DataTexture {
-  const data = new Uint8Array(WIDTH * rows * 4);
-  const texture = new DataTexture(data, WIDTH, rows, RGBAFormat, UnsignedByteType);
-  texture.magFilter = texture.minFilter = NearestFilter;
-  return texture;
-}
-
 export class InstanceTable extends Emitter<{ changed: void }> {
   /** By label: color, and whether it is shown. */
-  instances = table(1);
+  instances = lookupTexture(1);
   /** By label: color of its class. */
-  classes = table(1);
+  classes = lookupTexture(1);
   private hidden = new Set<number>();
   private classNumbers = new Map<string, number>();
 
@@ -77,12 +68,12 @@ export class InstanceTable extends Emitter<{ changed: void }> {
     // A deleted instance must not stay hidden: an undo brings it back to be seen.
     for (const label of this.hidden) if (label && !this.session.instances.has(label)) this.hidden.delete(label);
     const most = Math.max(0, ...this.session.instances.keys());
-    const rows = Math.ceil((most + 1) / WIDTH);
+    const rows = Math.ceil((most + 1) / LOOKUP_WIDTH);
     if (rows > this.instances.image.height) {
       this.instances.dispose();
       this.classes.dispose();
-      this.instances = table(2 * rows);
-      this.classes = table(2 * rows);
+      this.instances = lookupTexture(2 * rows);
+      this.classes = lookupTexture(2 * rows);
     }
     const [colors, classes] = [this.instances.image.data, this.classes.image.data] as Uint8Array[];
     colors.fill(255);

@@ -16,6 +16,7 @@ import type { InstanceTable } from './instance_table';
 import { keyName } from './keys';
 import type { Messages } from './messages';
 import { UNLABELED, colorOf } from './palette';
+import { RowList } from './row_list';
 import type { Session } from './session';
 
 const ROW = 30;
@@ -23,15 +24,15 @@ type Order = 'number' | 'class' | 'points';
 
 export class InstancesPanel {
   readonly element = el('aside', { class: 'instances', 'aria-label': 'Instances' });
-  private list = el('div', { class: 'list', role: 'listbox', tabindex: '0', 'aria-label': 'Instances', 'aria-multiselectable': 'true' });
-  private space = el('div', { class: 'space' });
+  private list = new RowList('Instances', ROW, (index) => this.row(this.rows[index], index), () => this.drawFoot());
   private total = el('span', { class: 'context' });
   private foot = el('footer', {});
   private order: Order = 'number';
   private rows: number[] = [];
-  private cursor = 0;
   private selected: number[] = [];
   private editing: number | null = null;
+  /** The open editor: rows may change under it, and what was typed must not be lost. */
+  private editor: HTMLElement | null = null;
   /** Told when the person wants to see an instance. */
   goTo: (label: number) => void = () => {};
 
@@ -52,22 +53,19 @@ export class InstancesPanel {
       this.refresh();
     });
     const showAll = el('button', { class: 'small', text: 'Show all', title: 'Show all (Shift+H)', click: () => this.table.showAll() });
-    this.list.append(this.space);
-    this.element.append(el('header', {}, el('h2', { text: 'Instances' }), this.total, showAll, order), this.list, this.foot);
-    this.list.addEventListener('scroll', () => this.draw());
-    this.list.addEventListener('keydown', (event) => this.pressed(event));
-    new ResizeObserver(() => this.draw()).observe(this.list);
+    this.element.append(el('header', {}, el('h2', { text: 'Instances' }), this.total, showAll, order), this.list.element, this.foot);
+    this.list.element.addEventListener('keydown', (event) => this.pressed(event));
     session.on('changed', () => this.table.refresh());
     table.on('changed', () => {
       showAll.disabled = !table.anyHidden;
       this.refresh();
     });
-    corrections.on('active', () => this.draw());
+    corrections.on('active', () => this.list.draw());
     showAll.disabled = true;
   }
 
   focus(): void {
-    this.list.focus();
+    this.list.element.focus();
   }
 
   private refresh(): void {
@@ -76,41 +74,17 @@ export class InstancesPanel {
     if (this.order === 'class') all.sort((a, b) => a.class.localeCompare(b.class) || a.label - b.label);
     if (this.order === 'points') all.sort((a, b) => b.size - a.size);
     this.rows = [0, ...all.map((one) => one.label)];
-    this.cursor = Math.min(this.cursor, this.rows.length - 1);
     this.selected = this.selected.filter((label) => this.session.instances.has(label));
     this.total.textContent = String(all.length);
-    if (this.editing !== null && !this.session.instances.has(this.editing)) this.editing = null;
-    this.draw();
-  }
-
-  private draw(): void {
-    const editor = this.space.querySelector('.editing');
-    // Rows may change under an open editor; what was typed must not be lost.
-    const keepEditor = editor && this.editing !== null;
-    this.space.style.height = `${this.rows.length * ROW}px`;
-    const first = Math.max(0, Math.floor(this.list.scrollTop / ROW) - 3);
-    const last = Math.min(this.rows.length, Math.ceil((this.list.scrollTop + this.list.clientHeight) / ROW) + 3);
-    const elements: HTMLElement[] = [];
-    for (let i = first; i < last; i++) {
-      const label = this.rows[i];
-      const element = keepEditor && label === this.editing ? (editor as HTMLElement) : this.row(label, i);
-      element.style.transform = `translateY(${i * ROW}px)`;
-      elements.push(element);
-    }
-    if (keepEditor && elements.includes(editor as HTMLElement)) {
-      for (const old of [...this.space.children]) if (old !== editor) old.remove();
-      for (const element of elements) if (element !== editor) this.space.append(element);
-    } else {
-      this.space.replaceChildren(...elements);
-    }
-    this.list.setAttribute('aria-activedescendant', `instance-${this.rows[this.cursor] ?? 0}`);
-    this.drawFoot();
+    if (this.editing !== null && !this.session.instances.has(this.editing)) this.stopEditor();
+    this.list.setCount(this.rows.length);
   }
 
   private row(label: number, index: number): HTMLElement {
     const instance = this.session.instances.get(label);
     if (instance && this.editing === label) {
-      return editRow(instance.class, instance.name, label, this.asking.classes, (c, n) => void this.save(label, c, n), () => this.stopEditing());
+      this.editor ??= editRow(instance.class, instance.name, label, this.asking.classes, (c, n) => void this.save(label, c, n), () => this.stopEditing());
+      return this.editor;
     }
     return instanceRow(
       {
@@ -122,7 +96,7 @@ export class InstancesPanel {
         shown: this.table.isShown(label),
         active: this.corrections.active === label && label !== 0,
         selected: this.selected.includes(label),
-        cursor: index === this.cursor,
+        cursor: index === this.list.cursor,
       },
       {
         choose: (one, event) => this.choose(one, event.ctrlKey || event.metaKey || event.shiftKey),
@@ -150,7 +124,7 @@ export class InstancesPanel {
   }
 
   private choose(label: number, add: boolean): void {
-    this.cursor = this.rows.indexOf(label);
+    this.list.cursor = this.rows.indexOf(label);
     if (label === 0) {
       this.selected = [];
     } else if (add) {
@@ -161,7 +135,7 @@ export class InstancesPanel {
       this.corrections.activate(label);
       this.goTo(label);
     }
-    this.draw();
+    this.list.draw();
   }
 
   private toggleShown(label: number, alone: boolean): void {
@@ -178,15 +152,20 @@ export class InstancesPanel {
 
   private edit(label: number): void {
     if (!this.actions.may()) return;
+    this.stopEditor();
     this.editing = label;
-    this.draw();
-    this.space.querySelector<HTMLInputElement>('.editing input')?.select();
+    this.list.draw();
+    this.list.element.querySelector<HTMLInputElement>('.editing input')?.select();
+  }
+
+  private stopEditor(): void {
+    this.editing = this.editor = null;
   }
 
   private stopEditing(): void {
-    this.editing = null;
-    this.draw();
-    this.list.focus();
+    this.stopEditor();
+    this.list.draw();
+    this.focus();
   }
 
   private async save(label: number, className: string, name: string): Promise<void> {
@@ -218,21 +197,10 @@ export class InstancesPanel {
   }
 
   private pressed(event: KeyboardEvent): void {
-    if (event.target !== this.list) return;
-    const label = this.rows[this.cursor];
-    const last = this.rows.length - 1;
-    const move = (to: number) => () => {
-      this.cursor = Math.min(last, Math.max(0, to));
-      const top = this.cursor * ROW;
-      if (top < this.list.scrollTop) this.list.scrollTop = top;
-      if (top + ROW > this.list.scrollTop + this.list.clientHeight) this.list.scrollTop = top + ROW - this.list.clientHeight;
-      this.draw();
-    };
+    if (event.target !== this.list.element) return;
+    const label = this.rows[this.list.cursor];
     const acts: Record<string, () => void> = {
-      ArrowDown: move(this.cursor + 1),
-      ArrowUp: move(this.cursor - 1),
-      Home: move(0),
-      End: move(last),
+      ...this.list.moves,
       Enter: () => this.choose(label, false),
       'Ctrl+Enter': () => this.choose(label, true),
       'Shift+Enter': () => this.choose(label, true),

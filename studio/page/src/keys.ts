@@ -7,6 +7,8 @@
  * The one table of keys: it binds them and help lists it, so that the two agree.
  */
 
+import type { WorkMode } from './modes';
+
 export interface Binding {
   /** Such as "Space", "Shift+N", "Ctrl+Z", "?"; none for what only the mouse does. */
   keys: string[];
@@ -14,6 +16,8 @@ export interface Binding {
   shown?: string;
   group: string;
   text: string;
+  /** In this mode only. */
+  mode?: WorkMode;
   run?: () => void;
   /** Also while the person types a class, as long as nothing is typed. */
   whileAsking?: boolean;
@@ -38,7 +42,10 @@ export function keyName(event: KeyboardEvent): string {
   return [...parts, name].join('+');
 }
 
-const REPEATS = /^(Arrow|Page|Ctrl\+[ZY]|[[\]+=-]$)/;
+const REPEATS = /^(Arrow|Page|Ctrl\+[ZY]|[[\]+=,.-]$)/;
+
+/** What moves a slider that has the focus; all other keys are for the page. */
+const SLIDES = /^(Arrow|Page|Home|End)/;
 
 function isField(target: EventTarget | null): target is HTMLInputElement {
   return (
@@ -49,10 +56,10 @@ function isField(target: EventTarget | null): target is HTMLInputElement {
 }
 
 export class Keys {
-  readonly bindings: Binding[] = [];
+  mode: WorkMode = 'labels';
   /** Keys that are down now, for flying. */
   readonly down = new Set<string>();
-  private byKey = new Map<string, Binding>();
+  private all: Binding[] = [];
 
   constructor() {
     window.addEventListener('keydown', (event) => this.pressed(event));
@@ -60,13 +67,18 @@ export class Keys {
     window.addEventListener('blur', () => this.down.clear());
   }
 
+  /** Those of the present mode. */
+  get bindings(): Binding[] {
+    return this.all.filter((one) => !one.mode || one.mode === this.mode);
+  }
+
   add(...bindings: Binding[]): void {
     for (const binding of bindings) {
-      this.bindings.push(binding);
-      for (const key of binding.keys) {
-        if (this.byKey.has(key) && binding.run) throw new Error(`The key ${key} has two meanings.`);
-        if (binding.run) this.byKey.set(key, binding);
+      for (const key of binding.run ? binding.keys : []) {
+        const other = this.all.find((one) => one.run && one.keys.includes(key));
+        if (other && (!other.mode || !binding.mode || other.mode === binding.mode)) throw new Error(`The key ${key} has two meanings.`);
       }
+      this.all.push(binding);
     }
   }
 
@@ -74,9 +86,9 @@ export class Keys {
     if (event.defaultPrevented || event.isComposing) return;
     if (document.querySelector('dialog[open]')) return;
     const name = keyName(event);
-    const binding = this.byKey.get(name);
+    const binding = this.bindings.find((one) => one.run && one.keys.includes(name));
     const target = event.target;
-    if (isField(target)) {
+    if (isField(target) && (target.type !== 'range' || SLIDES.test(name))) {
       const asking = binding?.whileAsking && target.dataset.asking !== undefined && target.value === '';
       if (!binding?.always && !asking) return;
     } else if (target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement) {

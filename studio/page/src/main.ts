@@ -27,8 +27,16 @@ import type { StudioHook } from './hook';
 import { InstanceTable } from './instance_table';
 import { InstancesPanel } from './instances_panel';
 import { Keys } from './keys';
+import { labelsExport } from './labels_export';
 import { Lasso } from './lasso';
 import { Messages } from './messages';
+import { connectModes } from './mode_switch';
+import { Modes } from './modes';
+import { connectPartsCommands } from './parts_commands';
+import { partsExport } from './parts_export';
+import { makePartsHook } from './parts_hook';
+import { makePartsMode } from './parts_mode';
+import { PartsState } from './parts_state';
 import { Picking } from './picking';
 import { PointCloudView } from './point_cloud_view';
 import { Pointer } from './pointer';
@@ -42,6 +50,7 @@ import { Session } from './session';
 import { spacingOf } from './spacing';
 import { StatusBar } from './status';
 import { makeToolbar } from './tools';
+import type { Workbench } from './workbench';
 
 declare global {
   interface Window {
@@ -63,19 +72,25 @@ async function open(root: HTMLElement): Promise<void> {
   const area = el('main', { class: 'area' }, canvas, el('div', { class: 'crosshair', 'aria-hidden': 'true' }));
   root.replaceChildren(area);
   const messages = new Messages(area);
+  const actions = new Actions(connection, session, messages);
+  const parts = new PartsState(info.places, actions);
+  const modes = new Modes();
   const table = new InstanceTable(session, info.classes.map((one) => one.name));
-  const cloud = new CloudGeometry(info.places, info.has_color, session);
+  const cloud = new CloudGeometry(info.places, info.has_color, session, parts);
   let spacing = diagonal / 300;
   const view = new PointCloudView(canvas, cloud, table, info.has_color, new Vector3(...info.up).normalize(), () => spacing);
   const section = new SectionCut(view, bounds);
-  const isDrawn = (place: number): boolean => table.isShown(session.labels[place]) && section.keeps(place);
+  const isDrawn = (place: number): boolean =>
+    view.pointsShown && (modes.isParts || table.isShown(session.labels[place])) && section.keeps(place);
   const picking = new Picking(view);
   const keys = new Keys();
-  const camera = new Camera(view, bounds, keys.down, (x, y) => {
+  const pointAt = (x: number, y: number): Vector3 | null => {
+    if (modes.isParts) return partsMode.partPicking.at(x, y)?.point ?? null;
     const place = picking.pick(x, y);
     return place === null ? null : picking.positionOf(place);
-  });
-  const actions = new Actions(connection, session, messages);
+  };
+  const camera = new Camera(view, bounds, keys.down, pointAt);
+  const partsMode = makePartsMode({ actions, camera, connection, diagonal, isDrawn, messages, parts, picking, section, session, view });
   const colors = new ColorModes(view, session, section, actions, info.has_color);
   const asking = new Asking(area, view, session, table, picking, messages, info.classes.map((one) => one.name));
   const corrections = new Corrections(actions, asking, session, view, picking, messages);
@@ -85,17 +100,25 @@ async function open(root: HTMLElement): Promise<void> {
   const lasso = new Lasso(area, view, camera, picking, actions, asking, session, messages, isDrawn);
   const panel = new InstancesPanel(session, table, corrections, actions, asking, messages);
   const seeds = new SeedMarkers(view, session);
-  const status = new StatusBar(info, session, connection);
+  const status = new StatusBar(info, session, connection, parts, modes);
   const help = new Help(root, keys);
-  const saving = new ExportDialog(root, connection, info.name);
+  const saving = {
+    labels: new ExportDialog(root, connection, labelsExport(info.name)),
+    parts: new ExportDialog(root, connection, partsExport(info)),
+  };
   const pointer = new Pointer(view);
-  const bench = { actions, area, asking, camera, colors, connection, corrections, diagonal, doubt, help, isDrawn, keys, lasso, messages, panel, picking, pointer, questions, saving, section, seeds, session, status, table, view };
+  const bench: Workbench = {
+    ...partsMode, actions, area, asking, camera, colors, connection, corrections, diagonal, doubt, help, isDrawn, keys, lasso, messages, modes,
+    panel, parts, picking, pointer, questions, saving, section, seeds, session, status, table, view,
+  };
+  const ofParts = connectPartsCommands(bench);
   const commands = connectCommands(bench);
-  const toolbar = makeToolbar(bench, commands, info);
+  const toolbar = makeToolbar(bench, commands, ofParts, info);
+  connectModes(bench, root, partsMode.hullStore);
   connectPointer(bench);
   area.append(section.panel, colors.legend, questions.done);
   root.prepend(toolbar.element);
-  root.append(panel.element, status.element);
+  root.append(panel.element, partsMode.partsPanel.element, status.element);
 
   session.on('changed', ({ places }) => {
     cloud.labelsChanged(places);
@@ -123,8 +146,8 @@ async function open(root: HTMLElement): Promise<void> {
 
   let loading = true;
   const busy = (): boolean =>
-    loading || connection.waiting > 0 || view.busy || camera.isFlying || questions.busy || colors.pending > 0;
-  window.studio = makeHook(session, view, picking, section, colors, questions, asking, connection, isDrawn, busy);
+    loading || connection.waiting > 0 || view.busy || camera.isFlying || questions.busy || colors.pending > 0 || partsMode.hullStore.busy;
+  window.studio = makeHook(session, view, picking, section, colors, questions, asking, connection, makePartsHook(view, modes, parts, partsMode), isDrawn, busy);
   canvas.focus({ preventScroll: true });
   await load(info, cloud, view, section, status, () => (spacing = spacingOf(cloud.positions, view.arrivedPlaces)), () => seeds.refresh());
   loading = false;

@@ -15,7 +15,8 @@
 
 type Triple = [number, number, number];
 
-const COLORS = 48;
+/** How many different ones there are. */
+export const COLORS = 48;
 
 function linear(channel: number): number {
   return channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4;

@@ -35,9 +35,11 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
   /** Asked at each frame; true: the camera still moves. */
   animate: (seconds: number) => boolean = () => false;
   pointSize = 1;
+  pointsShown = true;
   moving = false;
   private scene = new Scene();
   private idScene = new Scene();
+  private overScene = new Scene();
   private requested = 0;
   private restTimer = 0;
   private pulseUntil = 0;
@@ -69,6 +71,8 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
       sizeLimits: { value: new Vector2(1, 16) },
       instanceColors: { value: null as Texture | null },
       classColors: { value: null as Texture | null },
+      partColors: { value: null as Texture | null },
+      hidesLabels: { value: true },
       ramp: { value: null as Texture | null },
       range: { value: new Vector2(0, 1) },
       mode: { value: 0 },
@@ -103,6 +107,7 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
 
   /** How many places are drawn now: all that are there, or a thinned scan while the camera moves. */
   get drawnPlaces(): number {
+    if (!this.pointsShown) return 0;
     return this.moving ? Math.min(this.arrivedPlaces, this.budget) : this.arrivedPlaces;
   }
 
@@ -126,6 +131,11 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
 
   invalidate(): void {
     if (this.requested === 0) this.requested = requestAnimationFrame((now) => this.frame(now));
+  }
+
+  /** Something that lies over the shaded points, hidden by those before it. */
+  addOver(object: Object3D): void {
+    this.overScene.add(object);
   }
 
   private resize(): void {
@@ -191,8 +201,15 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
     // Where frames take long, the shading waits until the camera rests.
     const shaded = !(this.moving && this.slow);
     this.lighting.draw(this.renderer, this.camera, this.pixelRatio, shaded);
+    this.drawOver();
     this.frames++;
     this.emit('frame', now);
+  }
+
+  private drawOver(): void {
+    this.renderer.autoClear = false;
+    this.renderer.render(this.overScene, this.camera);
+    this.renderer.autoClear = true;
   }
 
   /** Draws numbers of places instead of colors into the target that is set. */

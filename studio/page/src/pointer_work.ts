@@ -7,12 +7,14 @@
  * What clicks and a resting cursor do, by what is open.
  */
 
+import { connectPartsPointer } from './parts_commands';
 import type { Workbench } from './workbench';
 
 export function connectPointer(bench: Workbench): void {
-  const { asking, camera, colors, corrections, lasso, picking, pointer, questions, session, status, view } = bench;
+  const { asking, camera, colors, corrections, lasso, modes, picking, pointer, questions, session, status, view } = bench;
 
   pointer.on('click', ({ x, y, shift, alt }) => {
+    if (modes.isParts) return;
     const place = picking.pick(x, y);
     if (place === null) {
       if (asking.current?.kind === 'point') asking.cancel();
@@ -25,6 +27,7 @@ export function connectPointer(bench: Workbench): void {
   });
 
   pointer.on('double', ({ x, y }) => {
+    if (modes.isParts) return;
     // The first of the two clicks opened a card, which is not what was wanted.
     if (asking.current?.kind === 'point') asking.cancel();
     const place = picking.pick(x, y);
@@ -32,6 +35,7 @@ export function connectPointer(bench: Workbench): void {
   });
 
   pointer.on('rest', ({ x, y }) => {
+    if (modes.isParts) return;
     const place = picking.pick(x, y);
     if (place === null) {
       status.here('');
@@ -48,6 +52,8 @@ export function connectPointer(bench: Workbench): void {
   pointer.on('move', () => {
     if (!asking.current) corrections.clearPreview();
   });
+
+  connectPartsPointer(bench);
 
   // The middle counts for keys as soon as the keyboard moves the view.
   view.canvas.addEventListener('keydown', (event) => {

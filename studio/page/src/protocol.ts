@@ -19,6 +19,9 @@ export interface ScanInfo {
   classes: { name: string }[];
   session: string;
   version: string;
+  /** Formats that parts can be exported in. */
+  meshes: string[];
+  scenes: { name: string; help: string }[];
 }
 
 export interface Seed {
@@ -33,6 +36,45 @@ export interface Instance {
   class: string;
   name: string;
   size: number;
+}
+
+export interface Part {
+  /** The lowest of its groups. */
+  part: number;
+  groups: number[];
+  size: number;
+  /** CID_g of its last merge; null for one group, and for what was joined by hand. */
+  height: number | null;
+  splits: boolean;
+  dropped: boolean;
+  exact: boolean;
+}
+
+export interface PartsSummary {
+  /** 0 before the first decomposition. */
+  groups: number;
+  decomposition: number;
+  heights: number[];
+  list: Part[];
+  undo: number;
+  redo: number;
+}
+
+export interface HullFacts {
+  part: number;
+  vertices: number;
+  triangles: number;
+  volume: number;
+  thickness: number;
+  thickened: boolean;
+  boxed: boolean;
+}
+
+export interface Tightness {
+  part: number;
+  max_concavity: number;
+  mean_concavity: number;
+  free_share: number;
 }
 
 export interface Question {

@@ -56,7 +56,10 @@ export class SectionCut extends Emitter<{ changed: void }> {
   /** Whether the section leaves this place. */
   keeps(place: number): boolean {
     const { positions } = this.view.cloud;
-    const [x, y, z] = [positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]];
+    return this.keepsPoint(positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]);
+  }
+
+  keepsPoint(x: number, y: number, z: number): boolean {
     if (this.heightOf(x, y, z) > this.ceilingHeight) return false;
     if (!this.boxOn || this.suspended) return true;
     const { min, max } = this.box;

@@ -39,7 +39,8 @@ void main() {
 `;
 
 export class SeedMarkers {
-  shown = true;
+  private shown = true;
+  private active = true;
   private points: Points;
   private material: RawShaderMaterial;
 
@@ -61,7 +62,17 @@ export class SeedMarkers {
 
   toggle(): void {
     this.shown = !this.shown;
-    this.points.visible = this.shown;
+    this.refreshVisible();
+  }
+
+  /** Seeds belong to labels only. */
+  setActive(active: boolean): void {
+    this.active = active;
+    this.refreshVisible();
+  }
+
+  private refreshVisible(): void {
+    this.points.visible = this.shown && this.active;
     this.view.invalidate();
   }
 

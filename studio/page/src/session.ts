@@ -9,7 +9,7 @@
 
 import { Emitter } from './emitter';
 import { NO_GROUP } from './protocol';
-import type { Instance, Message, Seed } from './protocol';
+import type { Header, Instance, Message, Seed } from './protocol';
 
 interface Events {
   /** The places whose label or group changed; null: all. */
@@ -79,6 +79,13 @@ export class Session extends Emitter<Events> {
     const nothing = !places && !labels;
     this.emit('changed', { places: nothing ? new Uint32Array(0) : (places ?? null) });
     this.lastApply = performance.now() - start;
+  }
+
+  /** Of a change of the parts: the labels are as they were. */
+  noteRevision({ revision, writer }: Header): void {
+    if (typeof revision === 'number') this.revision = revision;
+    if (typeof writer === 'boolean') this.writer = writer;
+    this.emit('changed', { places: new Uint32Array(0) });
   }
 
   nameOf(label: number): string {

@@ -9,6 +9,8 @@
 
 import type { Connection } from './connection';
 import { count, el } from './dom';
+import type { Modes } from './modes';
+import type { PartsState } from './parts_state';
 import type { ScanInfo } from './protocol';
 import type { Session } from './session';
 
@@ -22,11 +24,15 @@ export class StatusBar {
     private info: ScanInfo,
     private session: Session,
     private connection: Connection,
+    private parts: PartsState,
+    private modes: Modes,
   ) {
     for (const name of ['connection', 'saved', 'questions', 'unlabeled', 'steps']) this.item(name);
     this.element.append(this.progress, el('span', { class: 'fill' }));
     for (const name of ['here', 'points']) this.item(name);
     session.on('changed', () => this.refresh());
+    parts.on('changed', () => this.refresh());
+    modes.on('changed', () => this.refresh());
     connection.on('connected', () => this.refresh());
     connection.on('disconnected', () => this.refresh());
     connection.on('progress', (share) => this.showProgress(share));
@@ -66,11 +72,29 @@ export class StatusBar {
     this.set('connection', { off: 'Not connected', wait: 'Connecting', on: 'Connected', looks: 'Looking on' }[state]);
     this.set('saved', session.ready ? `Change ${count(session.revision)} is on disk` : '');
     this.items.get('saved')!.title = `Session: ${info.session}`;
+    if (this.modes.isParts) this.tellParts();
+    else this.tellLabels();
+  }
+
+  private tellParts(): void {
+    const { groups, list, undo, redo } = this.parts;
+    const dropped = list.filter((part) => part.dropped).length;
+    this.set('questions', groups === 0 ? 'No parts yet' : `${count(list.length)} parts of ${count(groups)} groups`);
+    this.set('unlabeled', dropped === 0 ? '' : `${count(dropped)} dropped`);
+    this.setSteps(undo, redo);
+  }
+
+  private tellLabels(): void {
+    const { session, info } = this;
     const left = session.questions;
     this.set('questions', left === 0 ? 'No question left' : `${count(left)} question${left === 1 ? '' : 's'} left`);
     const share = info.places ? (100 * session.unlabeled) / info.places : 0;
     const rounded = share > 0 && share < 0.1 ? '< 0.1' : share.toFixed(1);
     this.set('unlabeled', `${rounded} % without label`);
-    this.set('steps', `${count(session.undo)} to undo · ${count(session.redo)} to redo`);
+    this.setSteps(session.undo, session.redo);
+  }
+
+  private setSteps(undo: number, redo: number): void {
+    this.set('steps', `${count(undo)} to undo · ${count(redo)} to redo`);
   }
 }

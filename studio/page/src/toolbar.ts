@@ -8,6 +8,7 @@
  */
 
 import { ICONS, el, icon, key } from './dom';
+import type { WorkMode } from './modes';
 
 export interface Tool {
   name: string;
@@ -19,6 +20,8 @@ export interface Tool {
   small?: boolean;
   /** Whether it changes the session: not for a page that looks on. */
   changes?: boolean;
+  /** For one mode; style.css keeps it out of the way in the other. */
+  only?: WorkMode;
   run: () => void;
 }
 
@@ -32,7 +35,7 @@ export class Toolbar {
     );
   }
 
-  group(label: string, ...parts: (Tool | HTMLElement)[]): void {
+  group(label: string, ...parts: (Tool | HTMLElement)[]): HTMLElement {
     const group = el('div', { class: 'tools-group', role: 'group', 'aria-label': label });
     for (const part of parts) {
       if (part instanceof HTMLElement) {
@@ -40,13 +43,14 @@ export class Toolbar {
         continue;
       }
       const hint = part.shortcut ? `${part.title} (${part.shortcut})` : part.title;
-      const button = el('button', { 'data-tool': part.name, title: hint, 'aria-label': part.title, click: () => part.run() }, icon(ICONS[part.icon]));
+      const button = el('button', { 'data-tool': part.name, title: hint, 'aria-label': part.title, 'data-only': part.only, click: () => part.run() }, icon(ICONS[part.icon]));
       if (!part.small) button.append(el('span', { class: 'tool-text', text: part.text }));
       if (!part.small && part.shortcut) button.append(key(part.shortcut));
       this.buttons.set(part.name, { button, tool: part });
       group.append(button);
     }
     this.element.append(group);
+    return group;
   }
 
   fill(): void {

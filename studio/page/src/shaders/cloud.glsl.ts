@@ -7,10 +7,11 @@
  * The points in the color mode that is chosen.
  */
 
+import { LOOK } from '../part_table';
 import { DISC, DRAWN } from './drawn.glsl';
 
 /** Numbers of the uniform `mode`. */
-export const MODE = { rgb: 0, height: 1, label: 2, class: 3, group: 4, cid: 5, doubt: 6 } as const;
+export const MODE = { rgb: 0, height: 1, label: 2, class: 3, group: 4, cid: 5, doubt: 6, part: 7 } as const;
 
 export const cloudVertex = /* glsl */ `
 ${DRAWN}
@@ -25,6 +26,7 @@ uniform bool dimmed;         // something is marked: the rest steps back
 uniform float pulse;
 uniform vec2 range;          // of height or of the measured value
 uniform sampler2D classColors;
+uniform sampler2D partColors;
 uniform sampler2D ramp;
 
 out vec3 shade;
@@ -44,12 +46,17 @@ vec3 groupColor(uint key) {
   return clamp(light + 0.28 * vec3(cos(hue), cos(hue - 2.094), cos(hue + 2.094)), 0.0, 1.0);
 }
 
+bool isLook(float channel, int look) {
+  return int(channel * 255.0 + 0.5) == look;
+}
+
 void main() {
   float size;
   if (!place(size)) return;
   discSize = size;
   float luminance = hasColor ? dot(color.rgb, vec3(0.3, 0.59, 0.11)) : 0.55;
   // A little of the photograph stays in flat colors, so that things are still recognized.
+  vec4 part = vec4(1.0);
   float texture_ = 0.72 + 0.5 * luminance;
   if (mode == ${MODE.rgb}) shade = hasColor ? color.rgb : vec3(0.6);
   else if (mode == ${MODE.height}) shade = rampAt(dot(position, ceiling.xyz));
@@ -58,6 +65,10 @@ void main() {
     // Gray that follows the height still shows what has no label yet.
     if (label == 0u && !hasColor) texture_ = 0.6 + 0.8 * dot(rampAt(dot(position, ceiling.xyz)), vec3(0.3, 0.59, 0.11));
     shade *= texture_;
+  }
+  else if (mode == ${MODE.part}) {
+    part = group == 0xffffffffu ? vec4(0.25, 0.25, 0.25, 1.0) : entryOf(partColors, group);
+    shade = part.rgb * texture_;
   }
   else if (mode == ${MODE.group}) shade = groupColor(group) * texture_;
   else shade = scalar < 0.0 ? vec3(0.2, 0.22, 0.26) : rampAt(scalar);
@@ -70,6 +81,10 @@ void main() {
     edge = 0.6;
   } else if (preview) {
     shade = mix(shade, vec3(0.62, 0.93, 1.0), 0.55);
+    edge = 0.4;
+  } else if (isLook(part.a, ${LOOK.selected})) {
+    edge = 0.6;
+  } else if (isLook(part.a, ${LOOK.second})) {
     edge = 0.4;
   } else if (dimmed) {
     shade *= 0.62;

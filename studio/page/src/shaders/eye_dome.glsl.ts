@@ -41,6 +41,8 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 here = texelFetch(picture, at, 0);
   float own = logDistance(at);
+  // What is drawn over the points is hidden by them.
+  gl_FragDepth = texelFetch(depth, at, 0).r;
   vec3 below = background * (1.0 - 0.35 * distance(gl_FragCoord.xy / vec2(size), vec2(0.5, 0.55)));
   vec3 color = own == 0.0 ? below : here.rgb;
   if (plain) {
