@@ -186,22 +186,25 @@ export class PartsWorld {
   hulls(parts) {
     const boxes = parts.map((part) => this.box(part));
     const hulls = boxes.map((box, i) => ({
-      part: numberOf(parts[i]), vertices: 8, triangles: 12, volume: volumeOf(box), thickness: Math.min(...box.size), thickened: false, boxed: true,
+      part: numberOf(parts[i]), vertices: 8, triangles: 12, volume: volumeOf(box), thickness: Math.min(...box.size), thickened: false, boxed: false,
     }));
     const corners = boxes.flatMap(({ low, size }) => [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [0, 1, 2].map((k) => low[k] + ((i >> k) & 1) * size[k])));
     const sides = [0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5];
     return [{ hulls }, { vertices: Float32Array.from(corners), triangles: Uint32Array.from(boxes.flatMap(() => sides)) }];
   }
 
-  /** An exact one holds all points, others leave out what strays. */
+  /** An exact one holds all points, others are a little smaller. */
   box(part) {
-    const places = this.placesOf(part);
-    const ends = [0, 1, 2].map((k) => {
-      const sorted = Float32Array.from(places, (place) => this.positions[3 * place + k]).sort();
-      const out = part.exact ? 0 : Math.floor(0.005 * sorted.length);
-      return [sorted[out], sorted[sorted.length - 1 - out]];
-    });
-    return { low: ends.map(([low]) => low), size: ends.map(([low, high]) => Math.max(0.01, high - low)) };
+    const margin = part.exact ? 0 : 0.02;
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (const place of this.placesOf(part)) {
+      this.at(place).forEach((v, k) => {
+        low[k] = Math.min(low[k], v + margin);
+        high[k] = Math.max(high[k], v - margin);
+      });
+    }
+    return { low, size: high.map((v, k) => Math.max(0.01, v - low[k])) };
   }
 
   tightness(part) {

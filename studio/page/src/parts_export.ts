@@ -40,7 +40,7 @@ export function partsExport({ name, meshes, scenes }: ScanInfo): Export {
     fields: () => [
       line('Meshes', meshChoice(meshes)),
       line('Scenes', ...scenes.map((one) => check('scenes', one.name, one.name, one.help))),
-      line('More', check('primitives', 'on', 'Boxes, spheres, cylinders and capsules where they fit'), check('report', 'on', 'A report')),
+      line('More', check('report', 'on', 'A report'), check('primitives', 'on', 'Boxes, spheres, cylinders and capsules where they fit')),
       choice('labels', 'Labelled cloud', LABELS),
     ],
     request: (data) => ({

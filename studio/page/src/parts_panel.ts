@@ -111,7 +111,7 @@ export class PartsPanel {
     const sum = (of: (facts: (typeof hulls)[number]) => number): number => hulls.reduce((all, facts) => all + of(facts), 0);
     this.totals.hidden = this.state.list.length === 0;
     const more = hulls.length < kept.length ? ` in ${hulls.length} hulls so far` : '';
-    this.totals.textContent = `${kept.length} parts kept · ${count(sum((one) => one.vertices))} vertices · ${volume(sum((one) => one.volume))}${more}`;
+    this.totals.textContent = `${kept.length} kept · ${count(sum((one) => one.vertices))} vertices · ${volume(sum((one) => one.volume))}${more}`;
   }
 
   private drawActs(): void {

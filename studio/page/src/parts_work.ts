@@ -24,8 +24,8 @@ export class PartsWork extends Emitter<{ changed: void }> {
   /** The next click chooses the other one. */
   joining = false;
   decomposing = false;
-  private cutting = false;
-  private wantedCut: number | null = null;
+  /** How many parts the person wants, until they are there. */
+  private wanted: number | null = null;
 
   constructor(
     private state: PartsState,
@@ -50,7 +50,7 @@ export class PartsWork extends Emitter<{ changed: void }> {
 
   /** Whether the number of parts is about to be another. */
   get isCutting(): boolean {
-    return this.cutting;
+    return this.wanted !== null;
   }
 
   private forgetWhatIsGone(): void {
@@ -99,21 +99,21 @@ export class PartsWork extends Emitter<{ changed: void }> {
   /** The newest wish goes out when the last answer is there; those between are dropped. */
   async cut(parts: number): Promise<void> {
     if (this.state.groups === 0) return;
-    this.wantedCut = Math.min(this.state.groups, Math.max(1, Math.round(parts)));
-    if (this.cutting) return;
-    this.cutting = true;
-    while (this.wantedCut !== null) {
-      const wanted = this.wantedCut;
-      this.wantedCut = null;
-      await this.actions.change({ do: 'cut', parts: wanted });
+    const isUnderWay = this.wanted !== null;
+    this.wanted = Math.min(this.state.groups, Math.max(1, Math.round(parts)));
+    if (isUnderWay) return;
+    let sent: number | null = null;
+    while (sent !== this.wanted) {
+      sent = this.wanted;
+      await this.actions.change({ do: 'cut', parts: sent });
     }
-    this.cutting = false;
+    this.wanted = null;
     this.emit('changed', undefined);
   }
 
   /** One part more or less than there are, or than are on their way. */
   async cutBy(step: 1 | -1): Promise<void> {
-    await this.cut((this.wantedCut ?? this.state.list.length) + step);
+    await this.cut((this.wanted ?? this.state.list.length) + step);
   }
 
   async split(): Promise<void> {

@@ -38,6 +38,10 @@ export async function openStudio(browser, url, { width = 1440, height = 900, con
 }
 
 export const idle = (page) => page.evaluate(() => window.studio.idle());
+export async function press(page, ...keys) {
+  for (const key of keys) await page.keyboard.press(key);
+  await idle(page);
+}
 export const studio = (page, f, argument) => page.evaluate(f, argument);
 export const counts = (page) => page.evaluate(() => window.studio.counts());
 

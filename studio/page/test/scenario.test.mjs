@@ -9,7 +9,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { clickPlace, counts, idle, launch, openStudio, placeWhere, shot, studio } from './browser.mjs';
+import { clickPlace, counts, idle, launch, openStudio, placeWhere, press as pressOn, shot, studio } from './browser.mjs';
 import { copyOf, labelCounts, startProgram } from './program.mjs';
 
 const real = process.env.STUDIO_PROGRAM;
@@ -48,10 +48,7 @@ after(async () => {
   copy?.remove();
 });
 
-const press = async (...keys) => {
-  for (const key of keys) await page.keyboard.press(key);
-  await idle(page);
-};
+const press = (...keys) => pressOn(page, ...keys);
 
 /** From another test nothing may be open, and the whole scan is seen. */
 const calm = async () => {

@@ -67,7 +67,7 @@ void main() {
     shade *= texture_;
   }
   else if (mode == ${MODE.part}) {
-    part = group == 0xffffffffu ? vec4(0.25, 0.25, 0.25, 1.0) : entryOf(partColors, group);
+    part = group == 0xffffffffu ? vec4(0.5, 0.5, 0.52, 1.0) : entryOf(partColors, group);
     shade = part.rgb * texture_;
   }
   else if (mode == ${MODE.group}) shade = groupColor(group) * texture_;
