@@ -13,7 +13,7 @@
  */
 
 import { fileURLToPath } from 'node:url';
-import { idle, launch, openStudio, placeWhere } from '../studio/page/test/browser.mjs';
+import { idle, launch, openStudio, partInView, placeWhere } from '../studio/page/test/browser.mjs';
 import { copyOf, startProgram } from '../studio/page/test/program.mjs';
 
 const folder = process.argv[2] ?? 'doc/images';
@@ -63,6 +63,19 @@ await withSession(['--import', 'label', '--seeds', '150'], async ({ page, press,
   await page.mouse.up();
   await idle(page);
   await shot('lasso');
+});
+
+await withSession([], async ({ page, press, shot }) => {
+  await press('g');
+  await page.focus('.groups-row input');
+  await press('Enter');
+  await page.waitForFunction(() => window.studio.parts().groups > 0, null, { timeout: 300_000 });
+  await idle(page);
+  await shot('parts');
+  const { x, y } = await partInView(page);
+  await page.mouse.click(x, y);
+  await press('p');
+  await shot('hulls');
 });
 
 await browser.close();

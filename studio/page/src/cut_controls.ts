@@ -41,12 +41,15 @@ export class CutControls {
     this.element.append(this.why, form, this.wait, this.cutRow, this.cost);
     this.slider.addEventListener('input', () => this.want(Number(this.slider.value)));
     this.number.addEventListener('change', () => this.want(Number(this.number.value)));
+    this.number.addEventListener('keydown', (event) => event.key === 'Enter' && this.number.blur());
     state.on('changed', ({ groups }) => {
       if (groups && state.groups > 0) this.groups.value = String(state.groups);
     });
   }
 
   private sendGroups(): void {
+    // After Enter the keys are for the view again, here as in the field below.
+    this.groups.blur();
     if (this.groups.reportValidity()) void this.work.decompose(Number(this.groups.value));
   }
 
@@ -70,7 +73,7 @@ export class CutControls {
     const none = state.groups === 0;
     this.why.hidden = this.wait.hidden = !none;
     this.cutRow.hidden = this.cost.hidden = none;
-    this.decompose.textContent = work.decomposing ? 'Decomposing …' : 'Decompose';
+    this.decompose.textContent = work.decomposing ? 'Working …' : 'Decompose';
     this.decompose.disabled = work.decomposing || !session.writer || !state.ready;
     this.decompose.classList.toggle('primary', none);
     this.slider.disabled = this.number.disabled = work.decomposing || !session.writer;

@@ -47,7 +47,7 @@ export class ExportDialog {
   open(): void {
     this.outcome.replaceChildren(el('p', { class: 'muted', text: this.what.note }));
     this.dialog.showModal();
-    this.dialog.querySelector<HTMLInputElement>('input[type=radio]:checked')?.focus();
+    this.dialog.querySelector<HTMLElement>('select, input[type=radio]:checked')?.focus();
   }
 
   private form(): HTMLElement {

@@ -10,7 +10,7 @@
 import { BufferAttribute, BufferGeometry, EdgesGeometry } from 'three';
 
 /** Below this, in degrees, two triangles look like one face. */
-const FLAT = 6;
+const FLAT = 14;
 
 export function edgesOf(positions: Float32Array, triangles: Uint32Array): Float32Array {
   const hull = new BufferGeometry();

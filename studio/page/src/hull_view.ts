@@ -29,6 +29,8 @@ import type { SectionCut } from './section';
 import { edgeFragment, edgeVertex, faceFragment, faceVertex } from './shaders/hull.glsl';
 
 const LINE = 1.4;
+/** Points must be seen through the faces, as far as there are any. */
+const OPACITY = { withPoints: 0.27, alone: 0.62 };
 
 export class HullView {
   shown = true;
@@ -39,6 +41,7 @@ export class HullView {
   private faces: Mesh;
   private edges: Mesh;
   private size = { value: new Vector2() };
+  private opacity = { value: OPACITY.withPoints };
 
   constructor(
     private view: PointCloudView,
@@ -48,8 +51,8 @@ export class HullView {
   ) {
     const material = (vertexShader: string, fragmentShader: string, more: object): RawShaderMaterial =>
       new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, transparent: true, depthWrite: false, ...more });
-    this.faces = new Mesh(new BufferGeometry(), material(faceVertex, faceFragment, { uniforms: { ...view.uniforms }, side: FrontSide }));
-    const line = { pictureSize: this.size, lineWidth: { value: LINE * view.pixelRatio }, strength: { value: 1 } };
+    this.faces = new Mesh(new BufferGeometry(), material(faceVertex, faceFragment, { uniforms: { ...view.uniforms, opacity: this.opacity }, side: FrontSide }));
+    const line = { pictureSize: this.size, lineWidth: { value: LINE * view.pixelRatio } };
     this.edges = new Mesh(new BufferGeometry(), material(edgeVertex, edgeFragment, { uniforms: { ...view.uniforms, ...line }, side: DoubleSide }));
     this.edges.renderOrder = 1;
     for (const mesh of [this.faces, this.edges]) {
@@ -78,7 +81,8 @@ export class HullView {
     this.refreshVisible();
   }
 
-  private refreshVisible(): void {
+  refreshVisible(): void {
+    this.opacity.value = this.view.pointsShown ? OPACITY.withPoints : OPACITY.alone;
     this.faces.visible = this.edges.visible = this.shown && this.active && this.drawn.length > 0;
     this.view.invalidate();
   }

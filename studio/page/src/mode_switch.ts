@@ -28,9 +28,9 @@ export function connectModes(bench: Workbench, root: HTMLElement, hullStore: Hul
     panel.element.hidden = isParts;
     partsPanel.element.hidden = !isParts;
     seeds.setActive(!isParts);
+    view.pointsShown = true;
     hulls.show(hulls.shown, isParts);
     hullStore.want(isParts);
-    view.pointsShown = true;
     view.uniforms.hidesLabels.value = !isParts;
     view.cloud.showGroups(mode);
     colors.workOn(mode);

@@ -63,8 +63,8 @@ export function connectPartsCommands(bench: PartsBench): PartsCommands {
     },
     points: () => {
       view.pointsShown = !view.pointsShown;
+      hulls.refreshVisible();
       bench.toolbarChanged?.();
-      view.invalidate();
     },
     colors: () => colors.toggle('part'),
   };

@@ -23,7 +23,7 @@ function check(name: string, value: string, text: string, title?: string): HTMLE
 }
 
 function line(label: string, ...boxes: HTMLElement[]): HTMLElement {
-  return el('div', { class: 'checks', role: 'group', 'aria-label': label }, el('span', { class: 'checks-name', text: label }), ...boxes);
+  return el('div', { class: 'checks', role: 'group', 'aria-label': label }, el('span', { class: 'checks-name', text: label }), el('div', { class: 'checks-boxes' }, ...boxes));
 }
 
 function meshChoice(meshes: string[]): HTMLElement {
@@ -40,7 +40,7 @@ export function partsExport({ name, meshes, scenes }: ScanInfo): Export {
     fields: () => [
       line('Meshes', meshChoice(meshes)),
       line('Scenes', ...scenes.map((one) => check('scenes', one.name, one.name, one.help))),
-      line('More', check('report', 'on', 'A report'), check('primitives', 'on', 'Boxes, spheres, cylinders and capsules where they fit')),
+      line('Beside', check('report', 'on', 'A report'), check('primitives', 'on', 'Boxes, spheres, cylinders and capsules where they fit')),
       choice('labels', 'Labelled cloud', LABELS),
     ],
     request: (data) => ({

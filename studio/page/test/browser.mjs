@@ -69,6 +69,22 @@ export async function clickPlace(page, place, options = {}) {
   return at;
 }
 
+/** Where a click selects a part for which `test` (source of a function of a part) holds, on a point or a hull of it. */
+export async function partInView(page, test = 'true') {
+  return page.evaluate((source) => {
+    const holds = new Function('part', `return ${source}`);
+    const { left, top, right, bottom } = document.querySelector('canvas.cloud').getBoundingClientRect();
+    for (let y = top + 40; y < bottom; y += 23) {
+      for (let x = left + 20; x < right; x += 29) {
+        const hit = window.studio.partAt(x, y);
+        const part = hit && window.studio.parts().list.find((one) => one.part === hit.part);
+        if (part && holds(part)) return { x, y, part: part.part };
+      }
+    }
+    return null;
+  }, test);
+}
+
 const folder = process.env.STUDIO_SHOTS ?? join(tmpdir(), 'studio_shots');
 export async function shot(page, name) {
   mkdirSync(folder, { recursive: true });

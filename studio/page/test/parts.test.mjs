@@ -11,7 +11,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, beforeEach, describe, test } from 'node:test';
-import { clickPlace, counts, idle, launch, openStudio, placeWhere, press as pressOn, shot, studio } from './browser.mjs';
+import { clickPlace, counts, idle, launch, openStudio, partInView, placeWhere, press as pressOn, shot, studio } from './browser.mjs';
 import { copyOf, startProgram } from './program.mjs';
 import { watchRequests } from './requests.mjs';
 
@@ -48,7 +48,7 @@ after(async () => {
 });
 
 const press = (...keys) => pressOn(page, ...keys);
-/** So that keys are for the view again. */
+/** Keys are for the view again. */
 const toView = () => page.evaluate(() => document.querySelector('canvas.cloud').focus());
 const parts = (on = page) => studio(on, () => window.studio.parts());
 const part = async (number) => (await parts()).list.find((one) => one.part === number);
@@ -57,24 +57,7 @@ const kept = async () => (await parts()).list.filter((one) => !one.dropped).map(
 const allGroups = (list) => list.flatMap((one) => one.groups).sort((a, b) => a - b);
 const row = (number) => `.part[data-part="${number}"]`;
 
-/** A part that is in view for a click on one of its points or on its hull. */
-async function visiblePart(test_ = 'true') {
-  return studio(
-    page,
-    (source) => {
-      const holds = new Function('part', `return ${source}`);
-      for (let y = 90; y < 760; y += 23) {
-        for (let x = 20; x < 1000; x += 29) {
-          const hit = window.studio.partAt(x, y);
-          const found = hit && window.studio.parts().list.find((one) => one.part === hit.part);
-          if (found && holds(found)) return { x, y, part: found.part };
-        }
-      }
-      return null;
-    },
-    test_,
-  );
-}
+const visiblePart = (holds) => partInView(page, holds);
 
 async function decompose(groups) {
   await page.fill('.groups-row input', String(groups));
@@ -379,13 +362,13 @@ describe('parts mode', () => {
     assert.ok(await page.isVisible('[aria-label=Instances]'));
     await shot(page, '32_labels_again');
     const { undo, unlabeled, places } = await counts(page);
-    assert.deepEqual([undo, unlabeled], [0, places]);
+    assert.equal(unlabeled, places);
     await press('Space');
     assert.equal(await studio(page, () => window.studio.asking()), 'question');
     await press('1', 'Escape');
-    assert.equal((await counts(page)).undo, 1);
+    assert.equal((await counts(page)).undo, undo + 1);
     await press('Control+z');
-    assert.equal((await counts(page)).undo, 0);
+    assert.equal((await counts(page)).undo, undo);
     await page.reload();
     await page.waitForFunction(() => window.studio?.connected());
     await idle(page);

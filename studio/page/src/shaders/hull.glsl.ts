@@ -56,12 +56,13 @@ void main() {
 export const faceFragment = /* glsl */ `
 ${FRAGMENT_HEAD}
 uniform vec3 cameraPosition;
+uniform float opacity;
 void main() {
   if (look == ${LOOK.dropped} || isCutAway(at)) discard;
   // Faces that look away from the camera are darker, so that the form is seen.
   vec3 normal = normalize(cross(dFdx(at), dFdy(at)));
   float facing = abs(dot(normal, normalize(cameraPosition - at)));
-  outColor = vec4(color * (0.55 + 0.5 * facing), isChosen() ? 0.5 : 0.27);
+  outColor = vec4(color * (0.55 + 0.5 * facing), isChosen() ? max(opacity, 0.5) : opacity);
 }
 `;
 
@@ -96,7 +97,7 @@ void main() {
   vec2 along = (q.xy / q.w - p.xy / p.w) * pictureSize;
   vec2 normal = normalize(vec2(-along.y, along.x) + 1e-9);
   bool chosen = look == ${LOOK.selected} || look == ${LOOK.second};
-  halfWidth = 0.5 * lineWidth * (chosen ? 1.7 : 1.0);
+  halfWidth = 0.5 * lineWidth * (chosen ? 1.4 : 1.0);
   // One pixel more for the smooth rim.
   across = (halfWidth + 1.0) * corner.y;
   gl_Position = corner.x < 0.5 ? p : q;
@@ -109,13 +110,12 @@ export const edgeFragment = /* glsl */ `
 ${FRAGMENT_HEAD}
 in float across;
 flat in float halfWidth;
-uniform float strength;
 void main() {
   if (isCutAway(at)) discard;
   float smooth_ = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0);
   vec3 line = mix(color, vec3(1.0), 0.25);
   if (look == ${LOOK.selected}) line = vec3(1.0, 0.84, 0.36);
   if (look == ${LOOK.second}) line = vec3(0.55, 0.92, 1.0);
-  outColor = vec4(line, strength * smooth_ * (isChosen() ? 1.0 : 0.85));
+  outColor = vec4(line, smooth_ * (isChosen() ? 1.0 : 0.85));
 }
 `;
