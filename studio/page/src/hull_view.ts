@@ -10,17 +10,17 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  FrontSide,
   DoubleSide,
+  FrontSide,
   GLSL3,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   Mesh,
   RawShaderMaterial,
-  Ray,
   Vector2,
   Vector3,
 } from 'three';
+import type { Ray } from 'three';
 import type { Hull, HullStore } from './hull_store';
 import type { PartsState } from './parts_state';
 import type { PointCloudView } from './point_cloud_view';
@@ -148,7 +148,9 @@ export class HullView {
     let best: { part: Part; point: Vector3 } | null = null;
     for (const { part, hull } of this.seen) {
       for (let i = 0; i < hull.triangles.length; i += 3) {
-        [a, b, c].forEach((corner, k) => corner.fromArray(hull.positions, 3 * hull.triangles[i + k]));
+        a.fromArray(hull.positions, 3 * hull.triangles[i]);
+        b.fromArray(hull.positions, 3 * hull.triangles[i + 1]);
+        c.fromArray(hull.positions, 3 * hull.triangles[i + 2]);
         if (!ray.intersectTriangle(a, b, c, true, point) || !this.section.keepsPoint(point.x, point.y, point.z)) continue;
         if (best && ray.origin.distanceToSquared(point) >= ray.origin.distanceToSquared(best.point)) continue;
         best = { part, point: point.clone() };

@@ -14,7 +14,7 @@ import type { PartsState } from './parts_state';
 import type { Part } from './protocol';
 
 /** What the fourth channel says of a part. */
-export const LOOK = { dropped: 60, second: 120, selected: 180, plain: 255 } as const;
+export const LOOK = { second: 120, selected: 180, plain: 255 } as const;
 
 const GRAY: [number, number, number] = [112, 118, 128];
 
@@ -39,7 +39,7 @@ export class PartTable {
     this.makeRoom();
     const data = this.texture.image.data as Uint8Array;
     for (const part of this.state.list) {
-      const look = part === selected ? LOOK.selected : part === second ? LOOK.second : part.dropped ? LOOK.dropped : LOOK.plain;
+      const look = part === selected ? LOOK.selected : part === second ? LOOK.second : LOOK.plain;
       for (const group of part.groups) data.set([...this.colorOf(part), look], 4 * group);
     }
     this.texture.needsUpdate = true;

@@ -9,6 +9,7 @@
 
 import type { Actions } from './actions';
 import { Emitter } from './emitter';
+import { placesWhere } from './places';
 import { NO_GROUP } from './protocol';
 import type { Message, Part, PartsSummary } from './protocol';
 
@@ -94,9 +95,7 @@ export class PartsState extends Emitter<Events> {
   }
 
   placesOf(part: Part): Uint32Array {
-    const found: number[] = [];
-    for (let place = 0; place < this.places; place++) if (this.at(place) === part) found.push(place);
-    return Uint32Array.from(found);
+    return placesWhere(this.places, (place) => this.at(place) === part);
   }
 
   /** What it costs to have one part less than `n`, as the tree has them; null where there is one only. */

@@ -8,6 +8,7 @@
  */
 
 import { Emitter } from './emitter';
+import { placesWhere } from './places';
 import { NO_GROUP } from './protocol';
 import type { Header, Instance, Message, Seed } from './protocol';
 
@@ -96,19 +97,6 @@ export class Session extends Emitter<Events> {
   }
 
   placesOf(label: number): Uint32Array {
-    return this.placesWhere(this.labels, label);
-  }
-
-  placesOfGroup(key: number): Uint32Array {
-    return this.placesWhere(this.groups, key);
-  }
-
-  private placesWhere(values: Uint32Array, value: number): Uint32Array {
-    let n = 0;
-    for (let i = 0; i < values.length; i++) if (values[i] === value) n++;
-    const found = new Uint32Array(n);
-    n = 0;
-    for (let i = 0; i < values.length; i++) if (values[i] === value) found[n++] = i;
-    return found;
+    return placesWhere(this.places, (place) => this.labels[place] === label);
   }
 }

@@ -365,7 +365,8 @@ describe('parts mode', () => {
     assert.equal(unlabeled, places);
     await press('Space');
     assert.equal(await studio(page, () => window.studio.asking()), 'question');
-    await press('1', 'Escape');
+    await page.keyboard.type('lamp');
+    await press('Enter', 'Escape');
     assert.equal((await counts(page)).undo, undo + 1);
     await press('Control+z');
     assert.equal((await counts(page)).undo, undo);

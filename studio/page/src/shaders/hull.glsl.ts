@@ -10,6 +10,12 @@
 import { LOOK } from '../part_table';
 import { LOOKUP, SECTION } from './drawn.glsl';
 
+const IS_CHOSEN = /* glsl */ `
+bool isChosen() {
+  return look == ${LOOK.selected} || look == ${LOOK.second};
+}
+`;
+
 const HEAD = /* glsl */ `
 precision highp float;
 precision highp int;
@@ -22,6 +28,7 @@ out vec3 at;
 flat out vec3 color;
 flat out int look;
 ${LOOKUP}
+${IS_CHOSEN}
 void lookUp() {
   vec4 entry = entryOf(partColors, part);
   color = entry.rgb;
@@ -36,9 +43,7 @@ flat in vec3 color;
 flat in int look;
 out vec4 outColor;
 ${SECTION}
-bool isChosen() {
-  return look == ${LOOK.selected} || look == ${LOOK.second};
-}
+${IS_CHOSEN}
 `;
 
 export const faceVertex = /* glsl */ `
@@ -58,7 +63,7 @@ ${FRAGMENT_HEAD}
 uniform vec3 cameraPosition;
 uniform float opacity;
 void main() {
-  if (look == ${LOOK.dropped} || isCutAway(at)) discard;
+  if (isCutAway(at)) discard;
   // Faces that look away from the camera are darker, so that the form is seen.
   vec3 normal = normalize(cross(dFdx(at), dFdy(at)));
   float facing = abs(dot(normal, normalize(cameraPosition - at)));
@@ -91,13 +96,12 @@ void main() {
   vec4 a = toClip * vec4(start, 1.0);
   vec4 b = toClip * vec4(end, 1.0);
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  if (look == ${LOOK.dropped} || (a.z < -a.w && b.z < -b.w)) return;
+  if (a.z < -a.w && b.z < -b.w) return;
   vec4 p = clipped(a, b);
   vec4 q = clipped(b, a);
   vec2 along = (q.xy / q.w - p.xy / p.w) * pictureSize;
   vec2 normal = normalize(vec2(-along.y, along.x) + 1e-9);
-  bool chosen = look == ${LOOK.selected} || look == ${LOOK.second};
-  halfWidth = 0.5 * lineWidth * (chosen ? 1.4 : 1.0);
+  halfWidth = 0.5 * lineWidth * (isChosen() ? 1.4 : 1.0);
   // One pixel more for the smooth rim.
   across = (halfWidth + 1.0) * corner.y;
   gl_Position = corner.x < 0.5 ? p : q;
