@@ -56,10 +56,11 @@ struct Exact {
   bool exact;
 };
 
-/** \brief Take back the last action that was not taken back. */
+/** \brief Take back the last step that was not taken back: an action, or cuts one after
+ *  another. */
 struct Undo {};
 
-/** \brief Do the action again that was taken back last. */
+/** \brief Do the step again that was taken back last. */
 struct Redo {};
 
 } // namespace pcl_cid::part_action

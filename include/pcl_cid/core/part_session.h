@@ -99,7 +99,8 @@ public:
   std::vector<ChosenPart>
   parts() const;
 
-  /** \brief How many actions can be taken back, and done again. */
+  /** \brief How many steps can be taken back, and done again: each is an action, or
+   *  cuts one after another, as a slider makes them. */
   std::size_t
   undoable() const
   {
@@ -124,8 +125,9 @@ private:
   GroupingSettings grouping_;
   MergingSettings merging_;
   std::shared_ptr<const State> state_; ///< never null
-  States done_;                        ///< what was before each action
+  States done_;                        ///< what was before each step
   States undone_;                      ///< the next one is the last
+  bool is_cutting_ = false;            ///< the last action was a cut
 };
 
 } // namespace pcl_cid

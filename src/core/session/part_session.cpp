@@ -183,7 +183,11 @@ PartSession::apply(const PartAction& action, const ExecutionOptions& execution)
     return;
   }
   std::shared_ptr<const State> next = Editor(*this, execution).after(action);
-  done_.push_back(std::exchange(state_, std::move(next)));
+  const bool is_cut = std::holds_alternative<part_action::Cut>(action);
+  if (!is_cut || !is_cutting_)
+    done_.push_back(state_);
+  state_ = std::move(next);
+  is_cutting_ = is_cut;
   undone_.clear();
 }
 
@@ -195,6 +199,7 @@ PartSession::move(States& from, States& to, const char* what)
     throw CIDException("there is no action on parts to " + std::string(what));
   to.push_back(std::exchange(state_, std::move(from.back())));
   from.pop_back();
+  is_cutting_ = false;
 }
 
 const std::shared_ptr<const Decomposition>&

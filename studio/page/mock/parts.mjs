@@ -28,6 +28,7 @@ export class PartsWorld {
     this.past = [];
     this.future = [];
     this.decompositions = 0;
+    this.isCutting = false;
   }
 
   knows(what) {
@@ -38,7 +39,10 @@ export class PartsWorld {
     if (h.do === 'undo parts') return this.step(this.past, this.future, 'undo');
     if (h.do === 'redo parts') return this.step(this.future, this.past, 'redo');
     const next = this.next(h);
-    this.past.push(this.state);
+    // Cuts one after another are one step.
+    const isCut = h.do === 'cut';
+    if (!isCut || !this.isCutting) this.past.push(this.state);
+    this.isCutting = isCut;
     this.future = [];
     this.state = next;
   }
@@ -47,6 +51,7 @@ export class PartsWorld {
     if (from.length === 0) throw new Refused(`There is nothing to ${name}.`);
     to.push(this.state);
     this.state = from.pop();
+    this.isCutting = false;
   }
 
   next(h) {

@@ -225,6 +225,24 @@ TEST(PartSession, TakesBackAndDoesAgainAllThatHappened)
   }
 }
 
+TEST(PartSession, TakesBackCutsOneAfterAnotherAsOneStep)
+{
+  PartSession session(prepared(twoBoxes(600, 5), plainSettings()));
+  session.apply(part_action::Decompose{8});
+  const PartState decomposed(session);
+  for (const std::size_t parts : {8u, 5u, 3u})
+    session.apply(part_action::Cut{parts});
+  EXPECT_EQ(session.undoable(), 2u);
+  session.apply(part_action::Undo{});
+  EXPECT_TRUE(PartState(session) == decomposed);
+  session.apply(part_action::Redo{});
+  EXPECT_EQ(session.parts().size(), 3u);
+  session.apply(part_action::Cut{2}); // a step of its own after what is no cut
+  EXPECT_EQ(session.undoable(), 3u);
+  session.apply(part_action::Undo{});
+  EXPECT_EQ(session.parts().size(), 3u);
+}
+
 TEST(PartSession, KeepsMarksOfPartsThatStay)
 {
   PartSession session(prepared(twoBoxes(600, 5), plainSettings()));
