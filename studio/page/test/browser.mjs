@@ -22,7 +22,7 @@ export function launch() {
 }
 
 /** A page on the studio that remembers what went wrong in it. */
-export async function openStudio(browser, url, { width = 1440, height = 900, context } = {}) {
+export async function openStudio(browser, url, { width = 1100, height = 700, context } = {}) {
   const owner = context ?? (await browser.newContext({ viewport: { width, height }, reducedMotion: 'reduce' }));
   const page = await owner.newPage();
   page.setDefaultTimeout(20000);

@@ -36,7 +36,7 @@ before(async () => {
     await startMock();
   }
   browser = await launch();
-  page = await openStudio(browser, url, { width: 1280, height: 800 });
+  page = await openStudio(browser, url);
   if (real) page.setDefaultTimeout(60000);
 });
 
@@ -153,19 +153,19 @@ describe('parts mode', () => {
     const { x, y, width, height } = await (await page.$('.cut input[type=range]')).boundingBox();
     await page.mouse.move(x + 0.2 * width, y + height / 2);
     await page.mouse.down();
-    for (let i = 0; i <= 24; i++) {
+    for (let i = 0; i <= 12; i++) {
       // Several steps at once: questions meet what the parts have become.
-      await page.mouse.move(x + width * (0.95 - 0.75 * Math.abs(Math.sin(i / 3))), y + height / 2, { steps: 6 });
+      await page.mouse.move(x + width * (0.95 - 0.75 * Math.abs(Math.sin(i / 2))), y + height / 2, { steps: 6 });
       const ghosts = await studio(page, () => window.studio.hulls().filter((number) => !window.studio.parts().list.some((one) => one.part === number)));
       assert.deepEqual(ghosts, []);
-      if (i % 6 === 0) assert.ok((await worstMisfit()) < 0.15);
+      if (i % 4 === 0) assert.ok((await worstMisfit()) < 0.15);
     }
     await page.mouse.up();
     await idle(page);
     assert.equal((await parts()).list.length, Number(await page.inputValue('.cut input[type=range]')));
     assert.deepEqual(await hulls(), await kept());
     await toView();
-    while ((await parts()).list.length > 2) {
+    for (let i = 0; i < 6; i++) {
       await press(',');
       assert.ok((await worstMisfit()) < 0.15, `${(await parts()).list.length} parts`);
     }
@@ -302,8 +302,8 @@ describe('parts mode', () => {
     const heights = async () =>
       studio(page, () => {
         const found = [];
-        for (let x = 60; x < 1000; x += 47) {
-          for (let y = 90; y < 760; y += 41) {
+        for (let x = 40; x < 820; x += 78) {
+          for (let y = 90; y < 660; y += 71) {
             const hit = window.studio.partAt(x, y);
             if (hit) found.push(hit.point[2]);
           }
@@ -312,7 +312,7 @@ describe('parts mode', () => {
       });
     if ((await studio(page, () => window.studio.ceiling())) < 1e6) await press('c');
     const whole = await heights();
-    await press('c', ...Array.from({ length: 20 }, () => '['));
+    await press('c', ...Array.from({ length: 12 }, () => '['));
     const ceiling = await studio(page, () => window.studio.ceiling());
     await shot(page, '28_ceiling');
     assert.ok(whole.some((z) => z > ceiling));
@@ -323,7 +323,7 @@ describe('parts mode', () => {
     const ofHulls = await heights();
     assert.ok(ofHulls.length > 5);
     assert.ok(ofHulls.every((z) => z <= ceiling + 1e-6));
-    await press('p', ...Array.from({ length: 20 }, () => ']'));
+    await press('p', ...Array.from({ length: 12 }, () => ']'));
   });
 
   test('saves the parts, and says why it could not', async () => {
