@@ -171,15 +171,17 @@ Cloud::setColumn(const std::string& name, const py::object& values)
 {
   const py::array array = py::module_::import("numpy").attr("asarray")(values);
   LabelledCloud changed = *cloud_;
-  if (array.dtype().kind() == 'f')
-    setFloats(floatsOf(array, name, changed.size()), name, changed);
-  else {
-    const std::string labels = "values of the field '" + name + "'";
-    setLabels(labelsOf(values, labels.c_str(), changed.size(), "points"),
-              LabelType::U4,
-              changed,
-              name);
-  }
+  blamingValues([&] {
+    if (array.dtype().kind() == 'f')
+      setFloats(floatsOf(array, name, changed.size()), name, changed);
+    else {
+      const std::string labels = "values of the field '" + name + "'";
+      setLabels(labelsOf(values, labels.c_str(), changed.size(), "points"),
+                LabelType::U4,
+                changed,
+                name);
+    }
+  });
   cloud_ = std::make_shared<const LabelledCloud>(std::move(changed));
 }
 

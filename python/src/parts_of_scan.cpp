@@ -177,7 +177,7 @@ bindPartsOfScan(py::class_<Scan, std::shared_ptr<Scan>>& scan)
   SettingDocs settings;
   PartSettings initial;
   forEachPartSetting(initial, settings);
-  scan.attr("_part_settings") = py::tuple(py::cast(settings.names()));
+  scan.attr("_part_settings") = settings.defaults();
   scan.def("merge_tree",
            &mergeTree,
            py::arg("group_samples") = setting::group_samples.initial,

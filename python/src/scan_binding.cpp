@@ -243,7 +243,7 @@ bindScan(py::module_& module)
            py::arg("keep_zeros") = false,
            py::arg("progress") = py::none(),
            settings.in(init_doc).c_str());
-  scan.attr("_settings") = py::tuple(py::cast(settings.names()));
+  scan.attr("_settings") = settings.defaults();
   scan.def("__len__", &Scan::size)
       .def("__repr__", &nameOf)
       .def("propose",

@@ -27,6 +27,24 @@ indexOf(py::handle given)
   return py::none();
 }
 
+/** What a choice is between; a number has no words. */
+template <typename Value>
+py::object
+wordListOf(const NumberSetting<Value>&)
+{
+  return py::none();
+}
+
+template <typename Value, std::size_t Count>
+py::object
+wordListOf(const ChoiceSetting<Value, Count>& row)
+{
+  py::list words;
+  for (const auto& each : row.words)
+    words.append(each.word);
+  return words;
+}
+
 template <typename Row>
 py::dict
 describe(const Row& row)
@@ -38,6 +56,7 @@ describe(const Row& row)
   entry["default"] = asPython(row, row.initial);
   entry["paper"] = asPython(row, row.paper());
   entry["range"] = allowedBy(row);
+  entry["words"] = wordListOf(row);
   entry["meaning"] = meaningOf(row);
   return entry;
 }
@@ -101,17 +120,6 @@ Keywords::requireKnown() const
   }
 }
 
-void
-SettingDocs::addLines(const char* name,
-                      const std::string& type,
-                      const std::string& initial,
-                      const std::string& meaning)
-{
-  names_.emplace_back(name);
-  lines_ += std::string(name) + " : " + type + ", default " + initial + "\n    " +
-            meaning + "\n";
-}
-
 std::string
 SettingDocs::in(const std::string& text) const
 {
@@ -143,7 +151,8 @@ Returns
 -------
 list of dict
     For each setting its group, name, type, default, the default of the paper
-    (Wang et al., RA-L 2023), range, and meaning. Lengths are in metres.
+    (Wang et al., RA-L 2023), range, words where it is one of a few, and meaning.
+    Lengths are in metres.
 )");
 }
 

@@ -154,11 +154,11 @@ public:
   std::string
   in(const std::string& text) const;
 
-  /** \brief Names of the rows. */
-  const std::vector<std::string>&
-  names() const
+  /** \brief What each keyword is where it is not given. */
+  const py::dict&
+  defaults() const
   {
-    return names_;
+    return defaults_;
   }
 
 private:
@@ -166,13 +166,7 @@ private:
   void
   add(const Row& row, bool is_optional);
 
-  void
-  addLines(const char* name,
-           const std::string& type,
-           const std::string& initial,
-           const std::string& meaning);
-
-  std::vector<std::string> names_;
+  py::dict defaults_;
   std::string lines_;
 };
 
@@ -226,11 +220,12 @@ template <typename Row>
 void
 SettingDocs::add(const Row& row, bool is_optional)
 {
-  const std::string initial =
-      is_optional ? "None"
-                  : py::repr(asPython(row, row.initial)).template cast<std::string>();
-  addLines(
-      row.name, typeOf(row), initial, meaningOf(row) + " (" + allowedBy(row) + ")");
+  const py::object initial =
+      is_optional ? py::object(py::none()) : asPython(row, row.initial);
+  defaults_[row.name] = initial;
+  lines_ += std::string(row.name) + " : " + typeOf(row) + ", default " +
+            py::repr(initial).template cast<std::string>() + "\n    " + meaningOf(row) +
+            " (" + allowedBy(row) + ")\n";
 }
 
 /** \brief \a text with what follows in the place of \a place, wherever it is. */
