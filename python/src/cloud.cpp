@@ -9,8 +9,11 @@
 
 #include "cloud.h"
 
+#include "settings.h"
+
 #include <pcl_cid/io/float_field.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -61,6 +64,22 @@ standSideBySide(const pcl::PCLPointField& a, const pcl::PCLPointField& b)
   const auto size = static_cast<std::uint32_t>(dtypeOf(a.datatype).itemsize());
   return a.datatype == b.datatype && a.count == 1 && b.count == 1 &&
          b.offset == a.offset + size;
+}
+
+/** Of a sequence; empty where it is none, or not of numbers. */
+std::vector<double>
+numbersOf(const py::object& given)
+{
+  std::vector<double> numbers;
+  if (!py::isinstance<py::sequence>(given) && !py::isinstance<py::array>(given))
+    return numbers;
+  for (const py::handle each : given) {
+    const std::optional<double> number = realNumber(each);
+    if (!number)
+      return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 /** One float for each point. */
@@ -214,26 +233,19 @@ setSensor(const py::object& sensor, LabelledCloud& cloud)
 {
   if (sensor.is_none())
     return;
-  py::array_t<float> values;
-  try {
-    values = py::array_t<float, py::array::c_style | py::array::forcecast>(
-        py::module_::import("numpy").attr("asarray")(sensor, "float32"));
-  }
-  catch (py::error_already_set& error) {
-    if (!error.matches(PyExc_Exception))
-      throw;
-  }
-  const float* const v = values.data();
-  if (values.ndim() != 1 || (values.size() != 3 && values.size() != 7))
+  const std::vector<double> values = numbersOf(sensor);
+  if (values.size() != 3 && values.size() != 7)
     refuse("the sensor is ",
            shown(sensor),
            "; it must be x, y, z, or these and a rotation as w, x, y, z");
-  for (py::ssize_t i = 0; i < values.size(); ++i)
+  std::array<float, 7> v{0.0f, 0.0f, 0.0f, 1.0f};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    v[i] = static_cast<float>(values[i]);
     if (!std::isfinite(v[i]))
       refuse("the sensor is ", shown(sensor), "; its values must be finite");
+  }
   cloud.sensor_origin = {v[0], v[1], v[2], 0.0f};
-  if (values.size() == 7)
-    cloud.sensor_orientation = Eigen::Quaternionf(v[3], v[4], v[5], v[6]);
+  cloud.sensor_orientation = Eigen::Quaternionf(v[3], v[4], v[5], v[6]);
 }
 
 void

@@ -149,8 +149,19 @@ bindClouds(py::module_& module)
            }),
            py::arg("points"),
            py::arg("sensor") = py::none())
-      .def("__getitem__", &Cloud::column, py::arg("name"))
-      .def("__setitem__", &Cloud::setColumn, py::arg("name"), py::arg("values"))
+      .def(
+          "__getitem__",
+          [](const Cloud& self, const py::str& name) {
+            return self.column(name.cast<std::string>());
+          },
+          py::arg("name"))
+      .def(
+          "__setitem__",
+          [](Cloud& self, const py::str& name, const py::object& values) {
+            self.setColumn(name.cast<std::string>(), values);
+          },
+          py::arg("name"),
+          py::arg("values"))
       .def("__contains__",
            [](const Cloud& self, const py::object& name) {
              return py::isinstance<py::str>(name) &&

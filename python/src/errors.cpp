@@ -10,6 +10,16 @@
 #include "errors.h"
 
 namespace pcl_cid::python {
+namespace {
+
+extern "C" PyObject*
+refuseNew(PyTypeObject* type, PyObject*, PyObject*)
+{
+  PyErr_Format(PyExc_TypeError, "a %s is made by a Scan alone", type->tp_name);
+  return nullptr;
+}
+
+} // namespace
 
 std::string
 shown(py::handle value)
@@ -31,6 +41,12 @@ shown(py::handle value)
   while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80) != 0)
     text.pop_back(); // not within a character
   return text + "...";
+}
+
+void
+forbidNew(const py::object& cls)
+{
+  reinterpret_cast<PyTypeObject*>(cls.ptr())->tp_new = refuseNew;
 }
 
 void

@@ -52,6 +52,11 @@ blamingValues(Work&& work) -> decltype(work())
   }
 }
 
+/** \brief Refuse to make an object of a class from Python, by whatever way: what
+ *  pybind11 makes there has no value. */
+void
+forbidNew(const py::object& cls);
+
 /** \brief CIDError and CIDCancelled, and their place in the module. */
 void
 bindErrors(py::module_& module);

@@ -93,11 +93,13 @@ bindMergeTree(py::module_& module)
 {
   static_assert(offsetof(MergeStep, second) == offsetof(MergeStep, first) + sizeof(int),
                 "first and second are two columns of one array");
-  py::class_<MergeTree, std::shared_ptr<MergeTree>>(
+  py::class_<MergeTree, std::shared_ptr<MergeTree>> tree(
       module,
       "MergeTree",
-      "All merges of Algorithm 2, lowest group CID (Eq. 3) first; see Scan.merge_tree.")
-      .def(
+      "All merges of Algorithm 2, lowest group CID (Eq. 3) first; see "
+      "Scan.merge_tree.");
+  forbidNew(tree);
+  tree.def(
           "cut",
           [](const MergeTree& self,
              const py::object& count,

@@ -65,10 +65,13 @@ partOf(const py::object& self)
 }
 
 std::vector<ConvexPart>
-partsOf(const py::iterable& given)
+partsOf(const py::object& given)
 {
+  if (!py::isinstance<py::iterable>(given))
+    throw py::type_error("parts is " + shown(given) +
+                         "; it must be a sequence of ConvexPart");
   std::vector<ConvexPart> parts;
-  for (const py::handle each : given) {
+  for (const py::handle each : py::iterable(given)) {
     if (!py::isinstance<ConvexPart>(each))
       throw py::type_error("part " + std::to_string(parts.size()) + " is " +
                            shown(each) + "; it must be a ConvexPart");
@@ -78,7 +81,7 @@ partsOf(const py::iterable& given)
 }
 
 void
-save(const py::object& path, const py::iterable& given)
+save(const py::object& path, const py::object& given)
 {
   const std::string file = pathOf(path);
   const std::vector<ConvexPart> parts = partsOf(given);
@@ -95,12 +98,13 @@ save(const py::object& path, const py::iterable& given)
 void
 bindParts(py::module_& module)
 {
-  py::class_<ConvexPart, std::shared_ptr<ConvexPart>>(
+  py::class_<ConvexPart, std::shared_ptr<ConvexPart>> part(
       module,
       "ConvexPart",
       "An approximately convex part of a scan and its hull. Arrays are read-only "
-      "views.")
-      .def_property_readonly(
+      "views.");
+  forbidNew(part);
+  part.def_property_readonly(
           "vertices",
           [](const py::object& self) {
             return rowsOf<double>(self, partOf(self).hull.vertices);

@@ -72,6 +72,7 @@ settingsOf(GivenParts& given, bool& fewest_vertices)
 {
   const char* const vertices = setting::max_vertices.name;
   fewest_vertices = given.has(vertices) &&
+                    py::isinstance<py::str>(given.settings[vertices]) &&
                     py::object(given.settings[vertices]).equal(py::str("auto"));
   if (fewest_vertices)
     given.settings[vertices] = py::none();

@@ -10,15 +10,24 @@
 #include "settings.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace pcl_cid::python {
 namespace {
 
-/** The int that a value stands for by __index__, but for bool. */
+/** Of Python or of numpy: no number, though both can be taken for one. */
+bool
+isBool(py::handle given)
+{
+  return PyBool_Check(given.ptr()) ||
+         std::string_view(Py_TYPE(given.ptr())->tp_name) == "numpy.bool_";
+}
+
+/** The int that a value stands for by __index__. */
 py::object
 indexOf(py::handle given)
 {
-  if (PyBool_Check(given.ptr()) || PyIndex_Check(given.ptr()) == 0)
+  if (isBool(given) || PyIndex_Check(given.ptr()) == 0)
     return py::none();
   const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
   if (number)
@@ -91,7 +100,7 @@ naturalNumber(py::handle given)
 std::optional<double>
 realNumber(py::handle given)
 {
-  if (PyBool_Check(given.ptr()))
+  if (isBool(given))
     return std::nullopt;
   const double value = PyFloat_AsDouble(given.ptr());
   if (PyErr_Occurred() == nullptr)

@@ -149,8 +149,10 @@ groupCID(const DistanceField& field,
   double sum = 0.0; // Eq. 3
   for (std::size_t i = 0; i < first.size(); ++i) {
     progress.check(static_cast<double>(i) / static_cast<double>(first.size()));
-    for (const Eigen::Vector3f& q : second)
+    for (const Eigen::Vector3f& q : second) {
+      progress.poll();
       sum += search.pointCID({first[i], q, false}, infinity, hint);
+    }
   }
   return sum / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
 }
