@@ -94,12 +94,7 @@ public:
     if (py::isinstance<Scan>(given))
       scan_ = given.cast<std::shared_ptr<const Scan>>();
     else
-      cloud_ = pcl_cid::pointsOf(
-          cloudOf(python::pointsOf(given, "points of the surface"), "surface"),
-          {true, {}});
-    if (!scan_ && cloud_.finite == 0)
-      refuse("the surface has no finite point; at least 1 is needed");
-    frame_ = scan_ ? scan_->frame() : cloud_.frame;
+      given_ = cloudOf(python::pointsOf(given, "points of the surface"), "surface");
   }
 
   unsigned int
@@ -112,12 +107,21 @@ public:
   void
   prepare(const ExecutionOptions& execution)
   {
-    if (scan_)
+    if (scan_) {
+      frame_ = scan_->frame();
+      local_frame_ = scan_->prepared()->points().frame;
       return;
-    const PointSet points = finitePoints(*cloud_.points);
+    }
+    const CloudPoints cloud = blamingValues([&] {
+      return pcl_cid::pointsOf(given_, {true, {}});
+    });
+    if (cloud.finite == 0)
+      refuse("the surface has no finite point; at least 1 is needed");
+    const PointSet points = finitePoints(*cloud.points);
     DistanceField::Options options;
     options.execution = execution;
     field_ = std::make_unique<DistanceField>(points.points, options);
+    frame_ = cloud.frame;
     local_frame_ = points.frame;
   }
 
@@ -130,16 +134,15 @@ public:
   Points
   local(const std::vector<Eigen::Vector3d>& positions) const
   {
-    const Frame& frame = scan_ ? scan_->prepared()->points().frame : local_frame_;
     Points points;
     for (const Eigen::Vector3d& each : positions)
-      points.push_back(frame.toLocal(frame_.toLocal(each)).cast<float>());
+      points.push_back(local_frame_.toLocal(frame_.toLocal(each)).cast<float>());
     return points;
   }
 
 private:
   std::shared_ptr<const Scan> scan_; ///< null for an array
-  CloudPoints cloud_;
+  LabelledCloud given_;
   Frame frame_; ///< from what was given to the cloud
   std::unique_ptr<DistanceField> field_;
   Frame local_frame_; ///< from the cloud to the field

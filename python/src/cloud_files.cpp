@@ -9,6 +9,7 @@
 
 #include "cloud.h"
 #include "file_output.h"
+#include "gil.h"
 
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/output_files.h>
@@ -84,7 +85,7 @@ read(const py::object& path, const py::object& class_table)
   const std::string file = pathOf(path);
   const std::string table = class_table.is_none() ? "" : pathOf(class_table);
   Cloud cloud([&] {
-    const py::gil_scoped_release released;
+    const GilReleased released;
     return readScan(file, {table, remarks.callback()});
   }());
   remarks.warn();

@@ -10,6 +10,7 @@
 #include "evaluation.h"
 
 #include "arrays.h"
+#include "gil.h"
 #include "settings.h"
 
 #include <pcl_cid/core/evaluation.h>
@@ -98,6 +99,7 @@ overlapsOfScan(PointLabels predicted,
   if (has_both && protocol != EvaluationProtocol::paper)
     predicted.semantic =
         labelsOf(predicted_classes, "classes of the prediction", size, "points");
+  const GilReleased released;
   return overlapsOf(predicted, actual);
 }
 
@@ -185,7 +187,7 @@ evaluateLabels(const py::object& prediction,
   const std::vector<std::uint32_t> scored =
       scoredClasses(classes, !truth_classes.is_none(), protocol);
   const Evaluation evaluation = blamingValues([&] {
-    const py::gil_scoped_release released;
+    const GilReleased released;
     return evaluate(overlaps, protocol, scored);
   });
   return asDict(evaluation, protocol);

@@ -9,6 +9,8 @@
 
 #include "file_output.h"
 
+#include "gil.h"
+
 #include <pcl_cid/io/output_files.h>
 
 namespace pcl_cid::python {
@@ -30,7 +32,7 @@ writeFile(const std::string& path,
           const std::string& beside,
           const std::function<void(std::ostream&)>& beside_writer)
 {
-  const py::gil_scoped_release released;
+  const GilReleased released;
   OutputFiles outputs({});
   outputs.announce(path);
   if (!beside.empty())

@@ -41,7 +41,7 @@ LongWork::~LongWork()
 bool
 LongWork::goesOn(double fraction) const
 {
-  const py::gil_scoped_acquire acquired;
+  const GilAcquired acquired;
   if (PyErr_CheckSignals() != 0)
     throw py::error_already_set();
   if (progress_.is_none())

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "errors.h"
+#include "gil.h"
 
 #include <pcl_cid/core/execution.h>
 
@@ -37,7 +38,7 @@ public:
   {
     const ExecutionOptions execution{
         threads_, [this](double fraction) { return goesOn(fraction); }};
-    const py::gil_scoped_release released;
+    const GilReleased released;
     return std::forward<Work>(work)(execution);
   }
 

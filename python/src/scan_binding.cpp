@@ -12,6 +12,7 @@
 #include "arrays.h"
 #include "cids.h"
 #include "cloud.h"
+#include "gil.h"
 #include "long_work.h"
 #include "scan_docs.h"
 
@@ -34,22 +35,29 @@ settingsOf(const py::object& paper, const py::kwargs& keywords)
   return settings;
 }
 
-/** The points about their own origin; columns of a Cloud are read where they are. */
+/** The cloud that is given, as points or as it was read. */
+Cloud
+cloudFor(const py::object& points, const py::object& sensor)
+{
+  const bool is_cloud = py::isinstance<Cloud>(points);
+  if (is_cloud && sensor.is_none())
+    return points.cast<Cloud>();
+  LabelledCloud cloud = is_cloud
+                            ? points.cast<const Cloud&>().cloud()
+                            : cloudOf(python::pointsOf(points, "points"), "points");
+  setSensor(sensor, cloud);
+  return Cloud(std::move(cloud));
+}
+
+/** Its points about their own origin. */
 CloudPoints
-localPoints(const py::object& points, const py::object& sensor, bool keep_zeros)
+localPoints(const Cloud& cloud, bool keep_zeros)
 {
   Remarks remarks;
-  CloudPoints result;
-  const PointOptions options{keep_zeros, remarks.callback()};
-  if (py::isinstance<Cloud>(points) && sensor.is_none())
-    result = pcl_cid::pointsOf(points.cast<const Cloud&>().cloud(), options);
-  else {
-    LabelledCloud cloud = py::isinstance<Cloud>(points)
-                              ? points.cast<const Cloud&>().cloud()
-                              : cloudOf(python::pointsOf(points, "points"), "points");
-    setSensor(sensor, cloud);
-    result = blamingValues([&] { return pcl_cid::pointsOf(cloud, options); });
-  }
+  const CloudPoints result = blamingValues([&] {
+    const GilReleased released;
+    return pcl_cid::pointsOf(cloud.cloud(), {keep_zeros, remarks.callback()});
+  });
   remarks.warn();
   if (result.finite == 0)
     refuse(
@@ -88,7 +96,8 @@ makeScan(const py::object& points,
   if (!PyBool_Check(keep_zeros.ptr()))
     refuse("keep_zeros is ", shown(keep_zeros), "; it must be True or False");
   LongWork work(progress, settings.threads);
-  const CloudPoints cloud = localPoints(points, sensor, keep_zeros.cast<bool>());
+  const CloudPoints cloud =
+      localPoints(cloudFor(points, sensor), keep_zeros.cast<bool>());
   const std::vector<ColorRGB> bytes =
       colorsFor(colors, points, cloud.points->size(), settings.preparation.color);
   return blamingValues([&] {

@@ -5,11 +5,14 @@
 #
 # Readers beside each other and beside a change; changes one after another.
 
+import subprocess
+import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+import pytest
 
 import pcl_cid
 from conftest import box_points
@@ -80,3 +83,16 @@ def test_the_interpreter_is_free_meanwhile():
         now = time.perf_counter()
         longest, last = max(longest, now - last), now
     assert longest < 1.0
+
+
+@pytest.mark.parametrize("verb", ["scan.propose(100000)", "scan.parts(count=300)"])
+def test_a_daemon_thread_may_be_at_work_when_the_process_ends(verb):
+    program = (
+        "import threading, time, numpy, pcl_cid\n"
+        "points = numpy.random.default_rng(0).uniform(0, 10, (100000, 3))\n"
+        "scan = pcl_cid.Scan(points)\n"
+        f"threading.Thread(target=lambda: {verb}, daemon=True).start()\n"
+        "time.sleep(0.5)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, timeout=120)
+    assert done.returncode == 0 and not done.stderr

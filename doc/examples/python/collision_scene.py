@@ -25,7 +25,7 @@ def draw_hulls(axes, parts):
     colors = palette(len(parts))
     floor = min(part.vertices[:, 2].min() for part in parts)
     for part, color in zip(parts, colors):
-        if part.vertices[:, 2].min() < floor + HIGHEST:
+        if part.vertices[:, 2].max() < floor + HIGHEST:  # neither walls nor the ceiling
             axes.add_collection3d(Poly3DCollection(part.vertices[part.faces], facecolor=color,
                                                    edgecolor="k", lw=0.1, alpha=0.6))
     low = min(tuple(part.vertices.min(axis=0)) for part in parts)

@@ -35,17 +35,18 @@ def main(path, folder):
     scan.propose(30)
     scan.label_seeds(scan.seeds, truth[scan.seeds])
     right = [np.mean(scan.labels() == truth)]
-    before = scan.labels() != truth
+    wrong_at_first = scan.labels() != truth
     for _ in range(CLICKS):
         click = wrong_point(scan.labels(), truth)
         scan.add_seeds([click], labels=[truth[click]])
         right.append(np.mean(scan.labels() == truth))
 
     figure, axes = plt.subplots(1, 3, figsize=(14, 4.5))
-    wrong_before, wrong_after = before, scan.labels() != truth
-    for each, wrong, title in ((axes[0], wrong_before, "wrong at first"),
-                               (axes[1], wrong_after, f"wrong after {CLICKS} clicks")):
-        draw_from_above(each, cloud.points, np.where(wrong, 1.0, 0.15), cmap="hot_r", vmin=0, vmax=1.6)
+    pictures = {"wrong at first": wrong_at_first,
+                f"wrong after {CLICKS} clicks": scan.labels() != truth}
+    for each, (title, wrong) in zip(axes, pictures.items()):
+        draw_from_above(each, cloud.points, np.where(wrong, 1.0, 0.15),
+                        cmap="hot_r", vmin=0, vmax=1.6)
         each.set_title(title)
     axes[2].plot(range(30, 31 + CLICKS), 100 * np.array(right))
     axes[2].set_xlabel("clicks")
