@@ -264,7 +264,6 @@ viewpoints : array_like of shape (K, 3), optional
 progress : bool or callable, optional
     See `propose`.
 {settings}
-    `max_vertices` may be 'auto': as few as the error allows, or 1 % of the size.
 
 Returns
 -------
@@ -283,7 +282,8 @@ CIDCancelled
 
 Notes
 -----
-'cid' is Algorithm 2 of Wang et al., RA-L 2023.
+'cid' is Algorithm 2 of Wang et al., RA-L 2023. `max_vertices` may be 'auto': as few as
+the bound on the error allows, or, without one, 1 % of the size of the hull.
 )";
 
 } // namespace pcl_cid::python
