@@ -90,7 +90,7 @@ def test_hulls_of_merged_groups(room, room_scan, run_tool, tmp_path):
     tree = room_scan.merge_tree()
     steps = json.loads((tool / "tree.json").read_text())["steps"]
     assert [[step["first"], step["second"]] for step in steps] == tree.merges.tolist()
-    assert [step["cid"] for step in steps] == tree.heights.tolist()
+    assert [step["height"] for step in steps] == tree.heights.tolist()
 
 
 @pytest.fixture

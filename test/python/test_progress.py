@@ -83,8 +83,10 @@ def test_a_callback_reads_but_does_not_change(scan):
 
 
 INTERRUPTED = """
-import numpy, sys, time
+import numpy, signal, sys, time
 import pcl_cid
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in jobs of the background
+end = time.time() + 60
 points = numpy.random.default_rng(0).uniform(0, 10, (300000, 3)).astype("f4")
 points[:, 2] *= numpy.sin(points[:, 0])
 verb = sys.argv[1]
@@ -94,14 +96,14 @@ if verb != "Scan":
 print("begun", flush=True)
 try:
     if verb == "Scan":
-        while True:
+        while time.time() < end:
             pcl_cid.Scan(points)
     elif verb == "propose":
         scan.propose(100000)
     elif verb == "parts":
         scan.parts(count=500)
     elif verb == "labels":
-        while True:
+        while time.time() < end:
             scan.labels(clean_up=True)
     elif verb == "group_cid":
         pcl_cid.group_cid(scan, points[:20000], points[20000:40000])
