@@ -15,10 +15,10 @@ step "Debian packages"
 install_packages demo check
 
 step "Format"
-find include src tools studio/app studio/server test doc -name '*.h' -o -name '*.hpp' -o -name '*.cpp' |
+find include src tools studio/app studio/server python test doc -name '*.h' -o -name '*.hpp' -o -name '*.cpp' |
   xargs clang-format --dry-run --Werror
 echo "All files are formatted."
-if grep -rnE '[a-z.;)] \\(throws|return|param|note)\b' include src tools studio/app studio/server; then
+if grep -rnE '[a-z.;)] \\(throws|return|param|note)\b' include src tools studio/app studio/server python; then
   echo "clang-format has pulled a command of Doxygen into the line before it." >&2
   exit 1
 fi

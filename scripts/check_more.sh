@@ -4,8 +4,9 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# What needs builds of its own: the tests under sanitizers, a robotics workspace, and a
-# project that uses the static libraries. Build folders: build/<preset>, build/colcon
+# What needs builds of its own: the tests under sanitizers, a robotics workspace, a
+# project that uses the static libraries, and a wheel. Build folders: build/<preset>,
+# build/colcon, build/temp.*
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -28,6 +29,17 @@ colcon_package() {
     -P test/consumer/run.cmake
 }
 
+# python_wheel: pip builds the Python module with the library inside, for a fresh
+# environment.
+python_wheel() {
+  local environment=$PWD/build/venv
+  rm -rf "$environment"
+  run /usr/bin/python3 -m venv --system-site-packages "$environment"
+  run "$environment/bin/pip" install --no-build-isolation .
+  (cd "$environment" &&
+    run bin/python -c "import pcl_cid; print(pcl_cid.Scan([[0, 0, 0]]).parts(count=1))")
+}
+
 step "Debian packages"
 install_packages demo check more
 
@@ -41,6 +53,9 @@ test_preset tsan
 
 step "colcon build, and a project that uses the static libraries"
 colcon_package
+
+step "A wheel of the Python module"
+python_wheel
 
 step "Summary"
 summary asan tsan

@@ -21,18 +21,6 @@
 
 namespace pcl_cid::tools {
 
-/** \brief The row of `--protocol`; reports use its words, too. */
-inline constexpr ChoiceSetting<EvaluationProtocol, 3> protocol_setting{
-    "Scores",
-    "protocol",
-    "NAME",
-    EvaluationProtocol::paper,
-    {{{"paper", EvaluationProtocol::paper},
-      {"scannet", EvaluationProtocol::scannet},
-      {"s3dis", EvaluationProtocol::s3dis}}},
-    "whose rules: those of the paper (a prediction belongs to the truth instance whose "
-    "label it carries), of ScanNet's benchmark, or of ASIS on S3DIS"};
-
 /** \brief A scan and its scores. */
 struct ScoredScan {
   ScanPair pair;

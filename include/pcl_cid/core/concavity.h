@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/distance_field.h>
+#include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
@@ -81,11 +82,13 @@ continuousPointCID(const DistanceField& field,
  *  \param[in] field the surface S
  *  \param[in] first,second points of the two groups, or of samples of them; not empty
  *  \param[in] samples M of each pair, min_samples to max_samples; not checked
- *  \throws CIDException when a group is empty */
+ *  \param[in] execution its progress; the work is done on the calling thread
+ *  \throws CIDException when a group is empty, CIDCancelled */
 PCL_CID_EXPORT double
 groupCID(const DistanceField& field,
          const Points& first,
          const Points& second,
-         int samples);
+         int samples,
+         const ExecutionOptions& execution = {});
 
 } // namespace pcl_cid

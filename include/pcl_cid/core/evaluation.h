@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/instance_overlaps.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
@@ -30,6 +31,18 @@ enum class EvaluationProtocol {
   /** S3DIS as ASIS scores it: coverage, precision and recall. */
   s3dis
 };
+
+/** \brief The row of the protocol. */
+inline constexpr ChoiceSetting<EvaluationProtocol, 3> protocol_setting{
+    "Scores",
+    "protocol",
+    "NAME",
+    EvaluationProtocol::paper,
+    {{{"paper", EvaluationProtocol::paper},
+      {"scannet", EvaluationProtocol::scannet},
+      {"s3dis", EvaluationProtocol::s3dis}}},
+    "whose rules: those of the paper (a prediction belongs to the truth instance whose "
+    "label it carries), of ScanNet's benchmark, or of ASIS on S3DIS"};
 
 /** \brief The figures of a class; NaN where the protocol has none or there is no truth
  *  instance that counts. */

@@ -8,6 +8,7 @@
  */
 
 #include "base/infinity.h"
+#include "base/progress.h"
 #include "base/rounding.h"
 #include "base/sentence.h"
 #include "segment_search.h"
@@ -136,17 +137,23 @@ double
 groupCID(const DistanceField& field,
          const Points& first,
          const Points& second,
-         int samples)
+         int samples,
+         const ExecutionOptions& execution)
 {
   if (first.empty() || second.empty())
     throw CIDException("the CID of two groups needs at least 1 point in each of them");
   const SampleOrder order(samples);
   SegmentSearch search(field, order);
   std::size_t hint = order.last() / 2;
+  Progress progress(execution.progress);
   double sum = 0.0; // Eq. 3
-  for (const Eigen::Vector3f& p : first)
-    for (const Eigen::Vector3f& q : second)
-      sum += search.pointCID({p, q, false}, infinity, hint);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    progress.check(static_cast<double>(i) / static_cast<double>(first.size()));
+    for (const Eigen::Vector3f& q : second) {
+      progress.poll();
+      sum += search.pointCID({first[i], q, false}, infinity, hint);
+    }
+  }
   return sum / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
 }
 

@@ -323,7 +323,7 @@ mergeGroups(const Grouping& grouping,
   options.random_seed = grouping.scan().settings().random_seed;
   options.execution = execution;
   return mergeGroups(grouping.scan().working(),
-                     grouping.groupsOfWorkingPoints({execution.threads, {}}),
+                     grouping.groupsOfWorkingPoints(partOf(execution, 0.0, 0.0)),
                      grouping.numberOfSeeds(),
                      options);
 }
