@@ -81,11 +81,14 @@ annotateCorrections(const AnnotationTask& task,
 /** \brief An annotator who clicks where labels are in doubt (*ours*), right or wrong,
  * and need not look for mistakes.
  *
- *  A click is on the DoubtfulArea::point of the largest area of doubt, of 20000 points
- * or all, that is no seed yet; in doubt are the 6 % of the points with the least
- * margins (see LabelDoubt). Where nothing is, on what Algorithm 1 proposes next. \note
- * Cost: each click as with annotateCorrections(), and what LabelDoubt needs. \see
- * annotateCorrections() for the rest */
+ *  A click is on the DoubtfulArea::point of the largest area of doubt that is no seed
+ *  yet; 20000 points are looked at, or all, and in doubt are the 6 % of them with the
+ *  least margins (see LabelDoubt). Where nothing is, it is on what Algorithm 1
+ * proposes.
+ *
+ *  \note Cost: each click as with annotateCorrections(), and what LabelDoubt needs.
+ *
+ *  \see annotateCorrections() for the rest */
 PCL_CID_EXPORT std::vector<AnnotationState>
 annotateDoubts(const AnnotationTask& task,
                const std::vector<std::size_t>& counts,
