@@ -9,7 +9,7 @@
 
 import { ClassInput } from './class_input';
 import type { NearInstance } from './class_input';
-import { el } from './dom';
+import { el, metres } from './dom';
 import { Emitter } from './emitter';
 import type { InstanceTable } from './instance_table';
 import type { Messages } from './messages';
@@ -49,6 +49,7 @@ export class Asking extends Emitter<{ closed: Asked; opened: Asked }> {
     private pickingOf: Picking,
     private messages: Messages,
     private listed: string[],
+    private heightAt: (place: number) => number,
   ) {
     super();
     area.append(this.ring);
@@ -73,7 +74,8 @@ export class Asking extends Emitter<{ closed: Asked; opened: Asked }> {
     const all = this.nearInstances(asked.place);
     this.card = new ClassInput({
       title: asked.title,
-      context: asked.context,
+      // From above, a seat and the floor beneath it look alike.
+      context: asked.kind === 'lasso' ? asked.context : `${asked.context} · ${metres(this.heightAt(asked.place))} up`,
       classes: this.classes,
       classColor: (name) => colorOf(this.table.classNumber(name)),
       lastClass: this.lastClass,

@@ -92,7 +92,7 @@ async function open(root: HTMLElement): Promise<void> {
   const camera = new Camera(view, bounds, keys.down, pointAt);
   const partsMode = makePartsMode({ actions, camera, connection, diagonal, isDrawn, messages, parts, picking, section, session, view });
   const colors = new ColorModes(view, session, section, actions, info.has_color);
-  const asking = new Asking(area, view, session, table, picking, messages, info.classes.map((one) => one.name));
+  const asking = new Asking(area, view, session, table, picking, messages, info.classes.map((one) => one.name), (place) => section.heightAt(place));
   const corrections = new Corrections(actions, asking, session, view, picking, messages);
   const groups = new GroupView(view, camera, section, diagonal, isDrawn);
   const doubt = new Doubt(session, actions, colors, groups, messages);
@@ -120,6 +120,10 @@ async function open(root: HTMLElement): Promise<void> {
   root.prepend(toolbar.element);
   root.append(panel.element, partsMode.partsPanel.element, status.element);
 
+  // What a click would have taken is no part of a question.
+  asking.on('opened', ({ kind }) => {
+    if (kind === 'question') corrections.clearPreview();
+  });
   session.on('changed', ({ places }) => {
     cloud.labelsChanged(places);
     messages.banner('looks', session.writer ? null : 'Another tab is working on this scan; this one looks on');

@@ -119,7 +119,12 @@ export class Questions {
   private showDone(): void {
     this.leave();
     const none = this.session.seeds.size === 0;
-    const propose = el('button', { class: 'primary', text: 'Propose 20 more', click: () => void this.propose(20) });
+    const propose = el('button', {
+      class: 'primary',
+      text: 'Propose 20 more',
+      title: 'New seeds where points are farthest from theirs. Their points have no label until you answer, also where they had one.',
+      click: () => void this.propose(20),
+    });
     const settled = this.session.questions === 0;
     this.done.replaceChildren(
       el(

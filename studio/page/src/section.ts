@@ -49,6 +49,12 @@ export class SectionCut extends Emitter<{ changed: void }> {
     return up.x * x + up.y * y + up.z * z;
   }
 
+  /** How high a place is above the lowest of the scan, metres. */
+  heightAt(place: number): number {
+    const { positions } = this.view.cloud;
+    return this.heightOf(positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]) - this.heights[0];
+  }
+
   get ceilingHeight(): number {
     return this.ceilingOn && !this.suspended ? this.height : 1e9;
   }

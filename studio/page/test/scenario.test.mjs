@@ -253,13 +253,13 @@ describe('the page of the studio', () => {
 
   test('the view turns about the point under the cursor, and flies', async () => {
     await calm();
-    const place = await studio(page, () => window.studio.pickAt(760, 420));
+    const place = await studio(page, () => window.studio.pickAt(480, 380));
     const where = () => studio(page, (p) => window.studio.project(p), place);
     const [start, middle] = [await where(), 123];
     const other = await studio(page, (p) => window.studio.project(p), middle);
-    await page.mouse.move(760, 420);
+    await page.mouse.move(480, 380);
     await page.mouse.down();
-    await page.mouse.move(860, 450, { steps: 4 });
+    await page.mouse.move(580, 410, { steps: 4 });
     await page.mouse.up();
     await idle(page);
     const turned = await where();
