@@ -254,6 +254,7 @@ describe('the page of the studio', () => {
   test('the view turns about the point under the cursor, and flies', async () => {
     await calm();
     const place = await studio(page, () => window.studio.pickAt(480, 380));
+    assert.notEqual(place, null);
     const where = () => studio(page, (p) => window.studio.project(p), place);
     const [start, middle] = [await where(), 123];
     const other = await studio(page, (p) => window.studio.project(p), middle);
