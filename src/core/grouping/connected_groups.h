@@ -43,7 +43,7 @@ public:
   ConnectedGroups(const SurfaceGraph& graph, const WorkingPoints& points, int samples);
   ~ConnectedGroups();
 
-  /** \param[in] seeds by number, indices among the points
+  /** \param[in] seeds by number, indices among the points; at least 1
    *  \param[in] groups the number of the seed of each point; that of a seed is its own
    *  \param[in] threads as from threadCount()
    *  \throws CIDCancelled
