@@ -20,31 +20,26 @@
 namespace pcl_cid::python {
 namespace {
 
+/** What the classes do before a scan is prepared, with settings of its own. */
+class ScanMaker : public CIDSampler<pcl::PointXYZ> {
+public:
+  using CIDPreparationParameters::adoptPreparation;
+};
+
 PreparedScan::ConstPtr
 prepare(const CloudPoints& cloud,
         const std::vector<ColorRGB>& colors,
         const ScanSettings& settings,
         const ExecutionOptions& execution)
 {
-  const PreparationSettings& preparation = settings.preparation;
-  CIDSampler<pcl::PointXYZ> sampler;
-  sampler.setInputCloud(cloud.points);
-  sampler.setSubsample(preparation.subsample);
-  sampler.setRandomSeed(preparation.random_seed);
-  if (preparation.start_index)
-    sampler.setStartIndex(*preparation.start_index);
-  sampler.setDensityWeight(preparation.density);
-  sampler.setDensityPower(preparation.density_power);
-  sampler.setIsolatedNeighbors(preparation.isolated_neighbors);
-  sampler.setColorWeight(preparation.color);
-  sampler.setNormalWeight(preparation.normals);
-  sampler.setConnectedGroups(preparation.connected);
-  sampler.setFillBlindSpot(preparation.blind_spot);
+  ScanMaker maker;
+  maker.setInputCloud(cloud.points);
+  maker.adoptPreparation(settings.preparation);
   if (!colors.empty())
-    sampler.setColors(std::make_shared<const std::vector<ColorRGB>>(colors));
-  sampler.setNumberOfThreads(execution.threads);
-  sampler.setProgressCallback(execution.progress);
-  return sampler.prepare();
+    maker.setColors(std::make_shared<const std::vector<ColorRGB>>(colors));
+  maker.setNumberOfThreads(execution.threads);
+  maker.setProgressCallback(execution.progress);
+  return maker.prepare();
 }
 
 /** The label of the first seed that has none of its own, when some have. */

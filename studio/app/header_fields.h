@@ -59,16 +59,6 @@ textIn(const nlohmann::json& header, const char* name, const char* otherwise)
   return header.contains(name) ? textIn(header, name) : otherwise;
 }
 
-/** \throws CIDException when it is missing or no number of a part */
-inline int
-partIn(const nlohmann::json& header, const char* name)
-{
-  const std::uint32_t number = numberIn(header, name);
-  if (number > static_cast<std::uint32_t>(std::numeric_limits<int>::max()))
-    throw CIDException("there is no part " + std::to_string(number));
-  return static_cast<int>(number);
-}
-
 /** \throws CIDException when it is neither true nor false */
 inline bool
 truthIn(const nlohmann::json& header, const char* name)

@@ -146,8 +146,7 @@ PartExporter::write(const PartSession& session, const PartExport& wanted) const
   requireOutputsCanHold(settings, scan_, run);
   const tools::AbstractedScan abstracted =
       abstractChosenParts(settings, session, scan_, run);
-  LabelledCloud labelled = scan_.cloud;
-  writeParts(settings, {}, abstracted, scan_.points, labelled, run);
+  writeParts(settings, {}, abstracted, scan_, run);
   return {filesOf(settings), run.report.remarks};
 }
 

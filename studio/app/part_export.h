@@ -30,8 +30,8 @@ struct PartExport {
   bool report = false;
 };
 
-/** \brief Extensions, without the dot, of the meshes that parts can be written in:
- * those that can be read again, to verify them. */
+/** \brief Extensions, without the dot, of the formats of meshes that can be read again,
+ *  to verify parts in them. */
 std::vector<std::string>
 partMeshes();
 

@@ -24,8 +24,8 @@
 
 namespace pcl_cid::studio {
 
-/** \brief Hulls of parts as they would be exported, and how tightly each fits; made
- * when they are asked for, and kept as long as the groups are the same. */
+/** \brief Hulls of parts as they would be exported, and how tightly each fits. They are
+ *  made when they are asked for, and kept as long as the groups are the same. */
 class PartHulls {
 public:
   /** \param[in] scan,settings must outlive this */

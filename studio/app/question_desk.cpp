@@ -22,9 +22,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/** Doubt is known at so many points: a click costs as many CIDs. */
-constexpr std::size_t points_of_doubt = 20000;
-
 Frame
 withPlaces(Json header, const pcl::Indices& points, const Places& places)
 {
@@ -91,8 +88,8 @@ QuestionDesk::margins(const ExecutionOptions& execution)
 {
   if (!doubt_) {
     pcl::Indices points;
-    for (std::size_t place = 0; place < std::min(points_of_doubt, places_.size());
-         ++place)
+    const std::size_t enough = std::min(LabelDoubt::enough_points, places_.size());
+    for (std::size_t place = 0; place < enough; ++place)
       points.push_back(places_.point(place));
     doubt_ = std::make_unique<LabelDoubt>(session_.grouping().sharedScan(),
                                           session_.grouping().settings().samples,

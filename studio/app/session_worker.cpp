@@ -162,20 +162,19 @@ SessionWorker::change(const Message& message, const Json& id)
 {
   if (message.client != writer_)
     throw CIDException("another page works on this session; this one looks on");
-  if (const auto on_parts = partActionFrom(message.frame.header)) {
-    changeParts(*on_parts, message, id);
-    return;
-  }
+  const auto on_parts = partActionIn(message.frame.header.dump());
+  on_parts ? changeParts(*on_parts, message, id) : changeLabels(message, id);
+}
+
+void
+SessionWorker::changeLabels(const Message& message, const Json& id)
+{
   const LabelAction action = actionFrom(message.frame, places_);
   const pcl::Indices changed = session_->apply(action, executionOf(message, id));
-  const std::vector<NamedArray> arrays =
-      changedLabels(session_->session(), changed, places_);
-  Json header = summaryFor(false);
-  header["event"] = "changed";
-  server_->broadcast({header, arrays}, message.client);
-  header.erase("event");
-  header.update({{"id", id}, {"ok", true}, {"writer", true}});
-  server_->send(message.client, {std::move(header), arrays});
+  tellChange("changed",
+             {summaryFor(false), changedLabels(session_->session(), changed, places_)},
+             message,
+             id);
 }
 
 void
@@ -185,14 +184,27 @@ SessionWorker::changeParts(const PartAction& action,
 {
   const ExecutionOptions execution = executionOf(message, id);
   session_->applyToParts(action, execution);
-  Json header{{"event", "parts"},
-              {"revision", session_->revision()},
-              {"writer", false},
-              {"parts", part_desk_->summary(execution)}};
-  server_->broadcast({header, {}}, message.client);
-  header.erase("event");
-  header.update({{"id", id}, {"ok", true}, {"writer", true}});
-  server_->send(message.client, {std::move(header), {}});
+  tellChange("parts",
+             {{{"revision", session_->revision()},
+               {"writer", false},
+               {"parts", part_desk_->summary(execution)}},
+              {}},
+             message,
+             id);
+}
+
+/** An event for those who look on, and an answer for the one who works. */
+void
+SessionWorker::tellChange(const char* event,
+                          Frame frame,
+                          const Message& message,
+                          const Json& id)
+{
+  frame.header["event"] = event;
+  server_->broadcast(frame, message.client);
+  frame.header.erase("event");
+  frame.header.update({{"id", id}, {"ok", true}, {"writer", true}});
+  server_->send(message.client, std::move(frame));
 }
 
 void

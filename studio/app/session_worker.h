@@ -90,9 +90,18 @@ private:
   change(const Message& message, const nlohmann::json& id);
 
   void
+  changeLabels(const Message& message, const nlohmann::json& id);
+
+  void
   changeParts(const PartAction& action,
               const Message& message,
               const nlohmann::json& id);
+
+  void
+  tellChange(const char* event,
+             Frame frame,
+             const Message& message,
+             const nlohmann::json& id);
 
   void
   answer(const Message& message, const nlohmann::json& id);

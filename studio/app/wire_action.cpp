@@ -96,29 +96,4 @@ actionFrom(const Frame& frame, const Places& places)
   throw CIDException("nothing is called '" + word + "' that can be done");
 }
 
-std::optional<PartAction>
-partActionFrom(const Json& header)
-{
-  const std::string word = textIn(header, "do");
-  if (word == "decompose")
-    return part_action::Decompose{numberIn(header, "groups")};
-  if (word == "cut")
-    return part_action::Cut{numberIn(header, "parts")};
-  if (word == "split")
-    return part_action::Split{partIn(header, "part")};
-  if (word == "join")
-    return part_action::Join{partIn(header, "part"), partIn(header, "with")};
-  if (word == "drop")
-    return part_action::Drop{partIn(header, "part")};
-  if (word == "keep")
-    return part_action::Keep{partIn(header, "part")};
-  if (word == "exact")
-    return part_action::Exact{partIn(header, "part"), truthIn(header, "exact")};
-  if (word == "undo parts")
-    return part_action::Undo{};
-  if (word == "redo parts")
-    return part_action::Redo{};
-  return std::nullopt;
-}
-
 } // namespace pcl_cid::studio

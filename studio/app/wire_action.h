@@ -13,9 +13,6 @@
 #include "server/frame.h"
 
 #include <pcl_cid/core/label_action.h>
-#include <pcl_cid/core/part_action.h>
-
-#include <optional>
 
 namespace pcl_cid::studio {
 
@@ -23,10 +20,5 @@ namespace pcl_cid::studio {
  *  \throws CIDException when it is none, or names a place that is not there */
 LabelAction
 actionFrom(const Frame& frame, const Places& places);
-
-/** \brief The action on parts; nothing where what is to be done is something else.
- *  \throws CIDException when it is not whole */
-std::optional<PartAction>
-partActionFrom(const nlohmann::json& header);
 
 } // namespace pcl_cid::studio

@@ -69,7 +69,7 @@ describe(const AbstractSettings& settings, const AbstractedScan& result, Run& ru
 void
 writeLabels(const AbstractSettings& settings,
             const std::vector<ConvexPart>& parts,
-            LabelledCloud& cloud,
+            LabelledCloud cloud,
             OutputFiles& outputs)
 {
   std::vector<std::uint32_t> labels(cloud.size(), 0);
@@ -83,7 +83,7 @@ writeLabels(const AbstractSettings& settings,
 SceneDescription
 save(const AbstractSettings& settings,
      const AbstractedScan& result,
-     LabelledCloud& cloud,
+     const LabelledCloud& cloud,
      Run& run)
 {
   run.begin("Saving " + settings.output);
@@ -147,17 +147,19 @@ void
 writeParts(const AbstractSettings& settings,
            const Viewpoints& viewpoints,
            const AbstractedScan& abstracted,
-           const CloudPoints& points,
-           LabelledCloud& labelled,
+           const LoadedScan& scan,
            Run& run)
 {
   describe(settings, abstracted, run);
-  const SceneDescription scene = save(settings, abstracted, labelled, run);
+  const SceneDescription scene = save(settings, abstracted, scan.cloud, run);
   if (settings.verify) {
     const std::optional<ErrorVerification> error =
-        errorVerification(settings, points, viewpoints);
+        errorVerification(settings, scan.points, viewpoints);
     verify(settings,
-           {abstracted, points, FileCoordinates(labelled), error ? &*error : nullptr},
+           {abstracted,
+            scan.points,
+            FileCoordinates(scan.cloud),
+            error ? &*error : nullptr},
            scene,
            run);
   }

@@ -28,16 +28,13 @@ requireOutputsCanHold(const AbstractSettings& settings,
  *  \param[in] settings its outputs were announced (see announceOutputs())
  *  \param[in] viewpoints of the bound on the error
  *  \param[in] abstracted in the frame of the file
- *  \param[in,out] labelled the cloud of the scan; it gets the numbers of the parts,
- *  where labels are asked for
  *  \throws CIDException when a guarantee does not hold, or writing fails; then nothing
  *  is there */
 void
 writeParts(const AbstractSettings& settings,
            const Viewpoints& viewpoints,
            const AbstractedScan& abstracted,
-           const CloudPoints& points,
-           LabelledCloud& labelled,
+           const LoadedScan& scan,
            Run& run);
 
 } // namespace pcl_cid::tools

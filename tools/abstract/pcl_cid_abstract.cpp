@@ -198,11 +198,11 @@ runAbstract(const AbstractSettings& settings)
   announceOutputs(settings, run.outputs);
   const Viewpoints read =
       hasViewpointFile(settings) ? readViewpoints(settings.viewpoints) : Viewpoints();
-  LoadedScan scan = loadScan(settings, run);
+  const LoadedScan scan = loadScan(settings, run);
   const Viewpoints viewpoints = localViewpoints(settings, read, scan);
   requireOutputsCanHold(settings, scan, run);
   const AbstractedScan result = abstract(settings, scan, viewpoints, run);
-  writeParts(settings, viewpoints, result, scan.points, scan.cloud, run);
+  writeParts(settings, viewpoints, result, scan, run);
 }
 
 } // namespace

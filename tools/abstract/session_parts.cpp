@@ -143,7 +143,7 @@ writeSessionParts(AbstractSettings settings)
   inputs.push_back(settings.session);
   Run run(abstract_tool, settings.quiet, inputs);
   announceOutputs(settings, run.outputs);
-  LoadedScan scan = loadScan(settings, run);
+  const LoadedScan scan = loadScan(settings, run);
   requireScanOf(record, identityOf(scan.cloud), settings.session);
   requireOutputsCanHold(settings, scan, run);
 
@@ -156,7 +156,7 @@ writeSessionParts(AbstractSettings settings)
   run.end(std::to_string(record.part_actions.size()) + " actions on parts", "replay");
 
   const AbstractedScan abstracted = abstractChosenParts(settings, session, scan, run);
-  writeParts(settings, {}, abstracted, scan.points, scan.cloud, run);
+  writeParts(settings, {}, abstracted, scan, run);
 }
 
 } // namespace pcl_cid::tools

@@ -78,13 +78,13 @@ annotateCorrections(const AnnotationTask& task,
                     std::size_t proposals,
                     const ExecutionOptions& execution = {});
 
-/** \brief An annotator who clicks where labels are in doubt (*ours*), right or wrong,
- * and need not look for mistakes.
+/** \brief An annotator who clicks where labels are in doubt (*ours*), right or wrong:
+ *  nobody has to look for mistakes.
  *
  *  A click is on the DoubtfulArea::point of the largest area of doubt that is no seed
- *  yet; 20000 points are looked at, or all, and in doubt are the 6 % of them with the
- *  least margins (see LabelDoubt). Where nothing is, it is on what Algorithm 1
- * proposes.
+ *  yet. LabelDoubt::enough_points of the points are looked at, or all, and in doubt are
+ *  the 6 % of them with the least margins. Where nothing is in doubt, the click is on
+ *  what Algorithm 1 proposes.
  *
  *  \note Cost: each click as with annotateCorrections(), and what LabelDoubt needs.
  *

@@ -213,8 +213,8 @@ private:
   PreparedScan::ConstPtr scan_;
   GroupingSettings settings_;
   std::unique_ptr<BlockGroups> groups_;
-  /** Shared with copies, whose islands are much the same; null where groups stay as
-   * they are. */
+  /** Shared with copies, whose islands are much the same; null where groups need not be
+   *  connected. */
   std::shared_ptr<ConnectedGroups> connected_;
   std::vector<float> coverages_; ///< r_k for the first seeds, as far as it is known
   float coverage_;

@@ -43,6 +43,9 @@ struct DoubtfulArea {
  *  of these pairs. It serves one thread. */
 class PCL_CID_EXPORT LabelDoubt {
 public:
+  /** So many points of a scan tell where doubt is, and a click costs as many CIDs. */
+  static constexpr std::size_t enough_points = 20000;
+
   /** \param[in] scan not null; its sessions are asked about
    *  \param[in] samples M, as in the sessions
    *  \param[in] points indices of the cloud: finite, selected, at least 1, each once

@@ -187,6 +187,15 @@ private:
   std::size_t before_last_ = 0; ///< bytes before the last of them
 };
 
+/** \brief The action on parts in a line of a session file, which is how a page of
+ *  pcl_cid_studio says it, too: `{"do": "cut", "parts": 30}`.
+ *
+ *  \return nothing where the line is about something else
+ *
+ *  \throws CIDException when it is no JSON, or an action that is not whole */
+PCL_CID_IO_EXPORT std::optional<PartAction>
+partActionIn(const std::string& line);
+
 /** \brief What an action is called in a session file: `click`. */
 PCL_CID_IO_EXPORT const char*
 wordOf(const LabelAction& action);

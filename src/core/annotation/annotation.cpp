@@ -26,9 +26,6 @@
 namespace pcl_cid {
 namespace {
 
-/** As many as pcl_cid_studio looks at. */
-constexpr std::size_t points_of_doubt = 20000;
-
 /** Share of the points that are in doubt, as in pcl_cid_studio. */
 constexpr double doubtful_share = 0.06;
 
@@ -123,7 +120,7 @@ private:
   pointsToLookAt(const PreparedScan& scan)
   {
     const std::size_t size = scan.working().size();
-    const std::size_t count = std::min(size, points_of_doubt);
+    const std::size_t count = std::min(size, LabelDoubt::enough_points);
     pcl::Indices points;
     for (std::size_t k = 0; k < count; ++k)
       points.push_back(

@@ -323,6 +323,8 @@ ConnectedGroups::connect(const pcl::Indices& seeds,
                          int threads,
                          Progress& progress)
 {
+  if (seeds.empty())
+    return groups; // there is nothing to be connected with
   // Nobody else has it now: what throws leaves nothing half done behind.
   std::unique_ptr<Connection> connection = exchange(nullptr);
   if (!connection)

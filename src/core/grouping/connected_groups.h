@@ -26,9 +26,9 @@ namespace pcl_cid {
  *
  *  Islands are taken in the order of the least cost of a seed and a point of the island
  *  that is next to the seed's group, the cheapest first; what they join makes further
- *  islands adjacent. An island that no group comes next to stays where it is. A
- *  function of the groups, the seeds and the costs alone: of no history, and no
- * threads.
+ *  islands adjacent. An island that no group comes next to stays where it is. The
+ *  result depends on the groups, the seeds and the costs alone, not on what came before
+ *  nor on the threads.
  *
  *  From click to click most islands stay as they are: they are kept, and those are
  *  found again that a change touches.
@@ -43,7 +43,8 @@ public:
   ConnectedGroups(const SurfaceGraph& graph, const WorkingPoints& points, int samples);
   ~ConnectedGroups();
 
-  /** \param[in] seeds by number, indices among the points; at least 1
+  /** \param[in] seeds by number, indices among the points; without any, groups stay as
+   *  they are
    *  \param[in] groups the number of the seed of each point; that of a seed is its own
    *  \param[in] threads as from threadCount()
    *  \throws CIDCancelled
@@ -65,8 +66,8 @@ private:
   const SurfaceGraph& graph_;
   KnownCosts costs_;
   std::mutex mutex_;
-  std::unique_ptr<Connection>
-      last_; ///< null while a call has it, and where none is kept
+  /** Null while a call has it, and where none is kept. */
+  std::unique_ptr<Connection> last_;
 };
 
 } // namespace pcl_cid

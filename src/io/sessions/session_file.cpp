@@ -239,6 +239,17 @@ replayParts(const SessionRecord& record,
     }
 }
 
+std::optional<PartAction>
+partActionIn(const std::string& line)
+{
+  try {
+    return partActionFrom(nlohmann::json::parse(line));
+  }
+  catch (const nlohmann::json::exception&) {
+    throw CIDException("an action on parts is not JSON");
+  }
+}
+
 /** The file, locked. */
 class SessionFile::File {
 public:

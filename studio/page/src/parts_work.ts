@@ -13,7 +13,7 @@ import { count, metres } from './dom';
 import { Emitter } from './emitter';
 import type { Messages } from './messages';
 import type { PartsState } from './parts_state';
-import type { Header, Part } from './protocol';
+import type { Part } from './protocol';
 import type { PointCloudView } from './point_cloud_view';
 import { chooseViewPoint } from './view_points';
 
@@ -123,7 +123,7 @@ export class PartsWork extends Emitter<{ changed: void }> {
       this.messages.note('That part is one group: decompose into more groups to divide it.');
       return;
     }
-    await this.change({ do: 'split', part: part.part });
+    await this.actions.change({ do: 'split', part: part.part });
   }
 
   async join(): Promise<void> {
@@ -136,26 +136,22 @@ export class PartsWork extends Emitter<{ changed: void }> {
     }
     const other = this.second;
     this.joining = false;
-    if (await this.change({ do: 'join', part: part.part, with: other })) this.select(this.state.part(Math.min(part.part, other)));
+    if (await this.actions.change({ do: 'join', part: part.part, with: other })) this.select(this.state.part(Math.min(part.part, other)));
   }
 
   async toggleDropped(): Promise<void> {
     const part = this.needsSelected('to drop it');
-    if (part) await this.change({ do: part.dropped ? 'keep' : 'drop', part: part.part });
+    if (part) await this.actions.change({ do: part.dropped ? 'keep' : 'drop', part: part.part });
   }
 
   async toggleExact(): Promise<void> {
     const part = this.needsSelected('to make its hull exact');
-    if (part) await this.change({ do: 'exact', part: part.part, exact: !part.exact });
+    if (part) await this.actions.change({ do: 'exact', part: part.part, exact: !part.exact });
   }
 
   async step(what: 'undo' | 'redo'): Promise<void> {
     if (this.state[what] === 0) this.messages.note(`There is nothing to ${what} in the parts.`);
-    else await this.change({ do: `${what} parts` });
-  }
-
-  private change(header: Header): Promise<unknown> {
-    return this.actions.change(header);
+    else await this.actions.change({ do: `${what} parts` });
   }
 
   private needsSelected(why: string): Part | null {

@@ -191,6 +191,19 @@ TEST(ConnectedGroups, WhatNoGroupComesNextToStays)
     EXPECT_EQ(connected.connect({0, 40}, groups, 1, progress), groups);
 }
 
+TEST(ConnectedGroups, WithoutSeedsNothingIsInAGroup)
+{
+  const auto scan = preparedWithGraph(twoBoxes(200, 8));
+  const std::vector<pcl::index_t> none(200, -1);
+  const std::vector<pcl::index_t> all(200, 0);
+  ConnectedGroups connected(*scan->graph(), scan->working(), 10);
+  Progress silent(nullptr);
+  for (int twice = 0; twice < 2; ++twice) {
+    EXPECT_EQ(connected.connect({}, none, 1, silent), none);
+    EXPECT_EQ(connected.connect({5}, all, 1, silent), all);
+  }
+}
+
 /** Seeds and groups of any shape that change a little, or much, from step to step. */
 class ChangingGroups {
 public:

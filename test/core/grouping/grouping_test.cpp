@@ -175,7 +175,7 @@ private:
   void
   connect()
   {
-    if (!scan_.graph() || seeds_.empty())
+    if (!scan_.graph())
       return;
     Progress silent(nullptr);
     pcl::Indices seeds;

@@ -163,6 +163,70 @@ TEST_F(SessionFiles, RefuseWhatIsNotPossibleInTheMiddle)
   }
 }
 
+TEST_F(SessionFiles, KeepActionsOnPartsBesideThoseOnLabels)
+{
+  const std::vector<PartAction> on_parts{part_action::Decompose{9},
+                                         part_action::Cut{4},
+                                         part_action::Split{0},
+                                         part_action::Join{2, 1},
+                                         part_action::Drop{3},
+                                         part_action::Keep{3},
+                                         part_action::Exact{1, true},
+                                         part_action::Exact{1, false},
+                                         part_action::Undo{},
+                                         part_action::Redo{}};
+  const auto write = [&](const std::string& path,
+                         const std::vector<PartAction>& actions) {
+    SessionFile file(path, identity_, {});
+    for (const PartAction& action : actions) {
+      file.append(action);
+      file.append(LabelAction{action::Propose{1}});
+    }
+  };
+  write(path_, on_parts);
+  const SessionRecord record = readSession(path_);
+  EXPECT_EQ(record.actions.size(), on_parts.size());
+  ASSERT_EQ(record.part_actions.size(), on_parts.size());
+  EXPECT_EQ(record.lastLine(), 1 + 2 * on_parts.size());
+  EXPECT_EQ(record.part_lines.back() + 1, record.lines.back());
+  // As each word has its own fields, the same bytes are the same actions.
+  const std::string again = folder_.file("again.session");
+  write(again, record.part_actions);
+  EXPECT_EQ(readText(again), readText(path_));
+  for (std::size_t k = 0; k < on_parts.size(); ++k)
+    EXPECT_EQ(record.part_actions[k].index(), on_parts[k].index());
+  EXPECT_EQ(std::get<part_action::Join>(record.part_actions[3]).with, 1);
+  EXPECT_TRUE(std::get<part_action::Exact>(record.part_actions[6]).exact);
+}
+
+TEST_F(SessionFiles, SayWhichActionOnPartsIsNotPossible)
+{
+  {
+    SessionFile file(path_, identity_, {});
+    file.append(LabelAction{action::Propose{3}});
+    file.append(PartAction{part_action::Decompose{4}});
+    file.append(PartAction{part_action::Drop{77}});
+  }
+  PartSession parts(scan_);
+  try {
+    replayParts(readSession(path_), path_, parts);
+    FAIL() << "there is no part 77";
+  }
+  catch (const CIDException& error) {
+    EXPECT_EQ(error.what(),
+              path_ + ": line 4: there is no part 77; a part goes by the number of its "
+                      "lowest group");
+  }
+  for (const char* line : {"{\"do\":\"cut\"}",
+                           "{\"do\":\"cut\",\"parts\":-1}",
+                           "{\"do\":\"exact\",\"part\":1,\"exact\":1}",
+                           "{\"do\":7}",
+                           "cut"})
+    EXPECT_THROW(partActionIn(line), CIDException) << line;
+  EXPECT_FALSE(partActionIn("{\"do\":\"undo\"}"));
+  EXPECT_TRUE(partActionIn("{\"do\":\"undo parts\",\"id\":3}"));
+}
+
 TEST_F(SessionFiles, AreOfOneScanAndOneProgram)
 {
   const SessionFile file(path_, identity_, {});
