@@ -41,9 +41,9 @@ import { Picking } from './picking';
 import { PointCloudView } from './point_cloud_view';
 import { Pointer } from './pointer';
 import { connectPointer } from './pointer_work';
-import type { ScanInfo } from './protocol';
 import { Questions } from './questions';
-import { fetchScanInfo, streamColors, streamPositions } from './scan';
+import { openScan, streamColors, streamPositions } from './scan';
+import type { OpenedScan } from './scan';
 import { SectionCut } from './section';
 import { SeedMarkers } from './seed_markers';
 import { Session } from './session';
@@ -60,7 +60,8 @@ declare global {
 }
 
 async function open(root: HTMLElement): Promise<void> {
-  const info = await fetchScanInfo();
+  const scan = await openScan();
+  const { info } = scan;
   document.title = `${info.name} · pcl_cid studio`;
   const bounds = new Box3(new Vector3(...info.low), new Vector3(...info.high));
   const diagonal = bounds.getSize(new Vector3()).length();
@@ -153,13 +154,13 @@ async function open(root: HTMLElement): Promise<void> {
     loading || connection.waiting > 0 || view.busy || camera.isFlying || questions.busy || colors.pending > 0 || partsMode.hullStore.busy;
   window.studio = makeHook(session, view, picking, section, colors, questions, asking, connection, makePartsHook(view, modes, parts, partsMode), isDrawn, busy);
   canvas.focus({ preventScroll: true });
-  await load(info, cloud, view, section, status, () => (spacing = spacingOf(cloud.positions, view.arrivedPlaces)), () => seeds.refresh());
+  await load(scan, cloud, view, section, status, () => (spacing = spacingOf(cloud.positions, view.arrivedPlaces)), () => seeds.refresh());
   loading = false;
 }
 
 /** Positions and colors together: what has both is drawn. */
 async function load(
-  info: ScanInfo,
+  { info, positions, colors }: OpenedScan,
   cloud: CloudGeometry,
   view: PointCloudView,
   section: SectionCut,
@@ -172,7 +173,7 @@ async function load(
   const arrived = (name: 'position' | 'color') => (from: number, to: number): void => {
     cloud.arrived(name, from, to);
     there[name] = to;
-    view.arrivedPlaces = Math.min(there.position, there.color);
+    view.arrive(Math.min(there.position, there.color));
     if (!suggested && there.position >= Math.min(20000, info.places)) {
       suggested = true;
       measureSpacing();
@@ -180,11 +181,10 @@ async function load(
     }
     const share = (there.position + (info.has_color ? there.color : 0)) / (info.places * (info.has_color ? 2 : 1));
     status.loading(Math.min(share, 0.999));
-    view.invalidate();
   };
   await Promise.all([
-    streamPositions(cloud.positions, arrived('position')),
-    info.has_color ? streamColors(cloud.colors, arrived('color')) : null,
+    streamPositions(positions, cloud.positions, arrived('position')),
+    colors && streamColors(colors, cloud.colors, arrived('color')),
   ]);
   measureSpacing();
   positionsMoved();

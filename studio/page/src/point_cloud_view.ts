@@ -19,6 +19,8 @@ import { idFragment, idVertex } from './shaders/id.glsl';
 const REST = 140;
 const LEAST_BUDGET = 120_000;
 const MOST_BUDGET = 4_000_000;
+/** Enough to see a room by, and quickly drawn even without a graphics card. */
+const FIRST_LOOK = 200_000;
 
 export interface Section {
   low: Vector3;
@@ -46,6 +48,8 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
   private lastFrame = 0;
   private budget = 1_500_000;
   private slow = false;
+  private arriving = false;
+  private arrivalTimer = 0;
   arrivedPlaces = 0;
   frames = 0;
 
@@ -102,13 +106,26 @@ export class PointCloudView extends Emitter<{ frame: number; resized: void }> {
   }
 
   get busy(): boolean {
-    return this.requested !== 0 || this.moving || this.pulseUntil > 0;
+    return this.requested !== 0 || this.moving || this.arriving || this.pulseUntil > 0;
   }
 
-  /** How many places are drawn now: all that are there, or a thinned scan while the camera moves. */
+  /** How many places are drawn now: all that are there, or a thinned scan while places arrive or the camera moves. */
   get drawnPlaces(): number {
     if (!this.pointsShown) return 0;
-    return this.moving ? Math.min(this.arrivedPlaces, this.budget) : this.arrivedPlaces;
+    const most = this.moving ? this.budget : Infinity;
+    return Math.min(this.arrivedPlaces, this.arriving ? Math.min(FIRST_LOOK, most) : most);
+  }
+
+  /** So many places are there now. */
+  arrive(places: number): void {
+    this.arrivedPlaces = places;
+    this.arriving = true;
+    window.clearTimeout(this.arrivalTimer);
+    this.arrivalTimer = window.setTimeout(() => {
+      this.arriving = false;
+      this.invalidate();
+    }, REST);
+    this.invalidate();
   }
 
   /** Something more to draw, which picking does not see. */

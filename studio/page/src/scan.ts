@@ -9,7 +9,19 @@
 
 import type { ScanInfo } from './protocol';
 
-export async function fetchScanInfo(): Promise<ScanInfo> {
+export interface OpenedScan {
+  info: ScanInfo;
+  /** On their way while the page is built. */
+  positions: Promise<Response>;
+  colors: Promise<Response> | null;
+}
+
+export async function openScan(): Promise<OpenedScan> {
+  const info = await fetchScanInfo();
+  return { info, positions: fetch('/api/positions'), colors: info.has_color ? fetch('/api/colors') : null };
+}
+
+async function fetchScanInfo(): Promise<ScanInfo> {
   const answer = await fetch('/api/scan');
   if (answer.status === 401) {
     throw new Error('This page needs the address that the program printed, with its token.');
@@ -23,12 +35,13 @@ export async function fetchScanInfo(): Promise<ScanInfo> {
  * there; it is called for each piece, so that the first points are drawn before the last ones come.
  */
 async function stream(
-  url: string,
+  requested: Promise<Response>,
   target: Uint8Array,
   stride: number,
   arrived: (from: number, to: number) => void,
 ): Promise<void> {
-  const answer = await fetch(url);
+  const answer = await requested;
+  const url = new URL(answer.url).pathname;
   if (!answer.ok || !answer.body) throw new Error(`The server did not send ${url} (${answer.status}).`);
   const reader = answer.body.getReader();
   let bytes = 0;
@@ -47,19 +60,21 @@ async function stream(
 }
 
 export function streamPositions(
+  requested: Promise<Response>,
   positions: Float32Array,
   arrived: (from: number, to: number) => void,
 ): Promise<void> {
-  return stream('/api/positions', new Uint8Array(positions.buffer), 12, arrived);
+  return stream(requested, new Uint8Array(positions.buffer), 12, arrived);
 }
 
 /** Colors come as three bytes and are kept as four, which is how graphics cards like them. */
 export function streamColors(
+  requested: Promise<Response>,
   colors: Uint8Array,
   arrived: (from: number, to: number) => void,
 ): Promise<void> {
   const packed = new Uint8Array((colors.length / 4) * 3);
-  return stream('/api/colors', packed, 3, (from, to) => {
+  return stream(requested, packed, 3, (from, to) => {
     for (let i = from; i < to; i++) {
       colors[4 * i] = packed[3 * i];
       colors[4 * i + 1] = packed[3 * i + 1];
