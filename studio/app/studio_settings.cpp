@@ -126,7 +126,7 @@ readCommandLine(int argc, const char* const* argv, StudioSettings& settings)
             "begin a new session with the labels in this field of SCAN, or with those "
             "of a table of seeds, FILE.csv");
   line.text("classes",
-            "WHICH",
+            "s3dis|scannet|FILE",
             classes,
             "classes to choose from: s3dis, scannet, or a file with one in each line");
   line.group(port_setting.group);
@@ -148,7 +148,7 @@ readCommandLine(int argc, const char* const* argv, StudioSettings& settings)
   line.setting(setting::threads, settings.threads);
   line.flag("quiet", settings.quiet, "print nothing but the address and errors");
   line.helpOptions();
-  if (!line.parse(argc, argv, {&settings.input}, "SCAN"))
+  if (!line.parse(argc, argv, {tools::scanArgument("SCAN")}, {&settings.input}))
     return false;
   settings.classes = classesFor(classes);
   settings.port = static_cast<std::uint16_t>(port);

@@ -72,10 +72,10 @@ readCommandLine(int argc, const char* const* argv, PerturbSettings& settings)
   line.setting(setting::random_seed, settings.perturbation.seed);
   declareClassTable(settings.class_table, line);
   line.helpOptions();
-  if (!line.parse(argc, argv, {&settings.input, &settings.output}))
-    return false;
-  requireExtension("OUTPUT", settings.output, {".pcd"});
-  return true;
+  return line.parse(argc,
+                    argv,
+                    {scanArgument("INPUT"), outputArgument("OUTPUT", {".pcd"})},
+                    {&settings.input, &settings.output});
 }
 
 void

@@ -103,7 +103,7 @@ readCommandLine(int argc, const char* const* argv, RoomSetSettings& settings)
   line.choice(set_setting, settings.set);
   line.choice(scan_setting, settings.scan);
   line.helpOptions();
-  return line.parse(argc, argv, {&settings.folder}, "FOLDER");
+  return line.parse(argc, argv, {FileArgument{"FOLDER", {}}}, {&settings.folder});
 }
 
 /** Without its extension. */

@@ -48,7 +48,7 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
                 "default " + shortNumber(setting::robot_radius.initial));
   line.text(
       "viewpoints",
-      "FILE",
+      "cloud|FILE",
       settings.viewpoints,
       "merging by hull: where the scan was taken from (JSON or a table), or "
       "`cloud` for the viewpoint in INPUT; only what was seen counts as free then");
@@ -57,8 +57,9 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
             "an error, where --max-error takes more hulls than --parts says");
   line.setting(setting::group_samples, settings.group_samples);
   line.setting(setting::min_points, settings.min_points);
-  line.text("labels",
+  line.file("labels",
             "FILE",
+            writableCloudExtensions(),
             settings.labels,
             "write INPUT (.pcd or .ply) with the number of the part + 1 as label");
   line.text("tree", "FILE.json", settings.tree, "write all merges, in order");
@@ -183,11 +184,11 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);
   declareRunOptions(settings, line);
-  if (!line.parse(argc, argv, {&settings.input, &settings.output}))
+  if (!line.parse(argc,
+                  argv,
+                  {scanArgument("INPUT"), outputArgument("OUTPUT", meshExtensions())},
+                  {&settings.input, &settings.output}))
     return false;
-  requireExtension("OUTPUT", settings.output, meshExtensions());
-  if (!settings.labels.empty())
-    requireExtension("--labels", settings.labels, writableCloudExtensions());
   requireReader(settings);
   requireFittingRule(settings);
   checkSceneOptions(settings.scenes);

@@ -185,8 +185,9 @@ declareSceneOptions(SceneSettings& settings, CommandLine& line)
   line.group("Scenes for robot software (a mesh for each part)");
   declareMeshOptions(settings, line);
   for (SceneFile& scene : settings.files)
-    line.text(scene.format.option,
+    line.file(scene.format.option,
               "FILE" + scene.format.extensions.front(),
+              scene.format.extensions,
               scene.path,
               scene.format.help);
   line.text("frame",
@@ -211,8 +212,6 @@ checkSceneOptions(const SceneSettings& settings)
 {
   if (settings.primitives && settings.primitiveKinds().empty())
     throw UsageError("--primitives: one of the scenes is of a format without any");
-  for (const SceneFile& scene : settings.wanted())
-    requireExtension("--" + scene.format.option, scene.path, scene.format.extensions);
   for (const SceneFile& scene : settings.wanted()) {
     if (!scene.format.check)
       continue;

@@ -33,7 +33,7 @@ declareScoreOptions(EvaluateSettings& settings, CommandLine& line)
   line.group(protocol_setting.group);
   line.choice(protocol_setting, settings.protocol);
   line.text("classes",
-            "NAME",
+            "s3dis|scannet|FILE",
             settings.classes,
             "what the numbers of classes mean: s3dis, scannet (nyu40id), or a file "
             "with a number and a name on each line; default scannet with --protocol "
@@ -92,8 +92,10 @@ readCommandLine(int argc, const char* const* argv, EvaluateSettings& settings)
   declareScoreOptions(settings, line);
   declareFieldOptions(settings.fields, line);
   declareOutputOptions(settings, line);
-  return line.parse(
-      argc, argv, {&settings.prediction, &settings.truth}, "PREDICTION and TRUTH");
+  return line.parse(argc,
+                    argv,
+                    {scanArgument("PREDICTION"), scanArgument("TRUTH")},
+                    {&settings.prediction, &settings.truth});
 }
 
 std::vector<std::string>

@@ -4,13 +4,17 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Command lines: options declared once feed the parser, the checks and the help.
+ * Command lines: options declared once feed the parser, the checks, the help, the man
+ * page and the completion.
  */
 
 #include "command_line.h"
 
+#include "completion.h"
+#include "man_page.h"
 #include "words.h"
 
+#include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/version.h>
 
 #include <algorithm>
@@ -18,6 +22,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include <boost/algorithm/string/join.hpp>
+#include <boost/program_options/options_description.hpp>
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/positional_options.hpp>
 #include <boost/program_options/variables_map.hpp>
@@ -47,8 +53,8 @@ extensionOf(const std::string& path)
   return extension;
 }
 
-} // namespace
-
+/** Refuse a file name with another extension.
+ *  \param[in] name what the user calls the file: OUTPUT, --labels */
 void
 requireExtension(const std::string& name,
                  const std::string& path,
@@ -58,6 +64,73 @@ requireExtension(const std::string& name,
       extensions.end())
     throw UsageError(name + " is '" + path + "'; its name must end in " +
                      alternatives(extensions));
+}
+
+/** The options below a headline, as the parser and the help want them. */
+po::options_description
+parserOf(const OptionGroup& group)
+{
+  po::options_description options(group.headline);
+  for (const Option& option : group.options)
+    if (option.hasValue())
+      options.add_options()(option.name.c_str(),
+                            po::value<std::string>()
+                                ->value_name(option.placeholder)
+                                ->notifier(option.take),
+                            option.help.c_str());
+    else {
+      std::string name = option.name;
+      if (option.letter != '\0')
+        name += std::string(",") + option.letter;
+      options.add_options()(name.c_str(),
+                            option.flag != nullptr ? po::bool_switch(option.flag)
+                                                   : po::bool_switch(),
+                            option.help.c_str());
+    }
+  return options;
+}
+
+void
+printHelp(const ToolDescription& tool)
+{
+  std::cout << tool.about << "\n\nUsage: ";
+  for (const char letter : tool.usage) {
+    std::cout << letter;
+    if (letter == '\n')
+      std::cout << "       ";
+  }
+  std::cout << '\n';
+  for (const OptionGroup& group : tool.groups)
+    std::cout << '\n' << parserOf(group);
+}
+
+/** "INPUT and OUTPUT are needed, 2 file names". */
+std::string
+needOf(const std::vector<FileArgument>& files)
+{
+  std::vector<std::string> names;
+  for (const FileArgument& file : files)
+    names.push_back(file.name);
+  if (names.empty())
+    return "No files are needed";
+  const bool is_one = names.size() == 1;
+  return boost::algorithm::join(names, " and ") + (is_one ? " is" : " are") +
+         " needed, " + std::to_string(names.size()) + " file name" +
+         (is_one ? "" : "s");
+}
+
+} // namespace
+
+FileArgument
+scanArgument(const std::string& name)
+{
+  return {name, writableCloudExtensions()};
+}
+
+FileArgument
+outputArgument(const std::string& name, const std::vector<std::string>& extensions)
+{
+  return {name, extensions, true};
 }
 
 std::string
@@ -80,49 +153,58 @@ optionsOf(const std::string& group)
 }
 
 CommandLine::CommandLine(std::string tool, std::string usage, std::string about)
-: tool_(std::move(tool)), usage_(std::move(usage)), about_(std::move(about))
 {
+  tool_.tool = std::move(tool);
+  tool_.usage = std::move(usage);
+  tool_.about = std::move(about);
 }
 
 void
 CommandLine::group(const std::string& headline)
 {
-  groups_.emplace_back(headline);
+  tool_.groups.push_back({headline, {}});
 }
 
 void
 CommandLine::flag(const std::string& name, bool& target, const std::string& help)
 {
-  groups_.back().add_options()(name.c_str(), po::bool_switch(&target), help.c_str());
+  option(name, "", help, {});
+  tool_.groups.back().options.back().flag = &target;
 }
 
 void
 CommandLine::paperOption()
 {
-  groups_.back().add_options()(
-      "paper",
-      po::bool_switch(),
-      "as in the paper, but for what is given: each option whose default is another "
-      "has the paper's");
+  option("paper",
+         "",
+         "as in the paper, but for what is given: each option whose default is another "
+         "has the paper's",
+         {});
 }
 
 void
 CommandLine::helpOptions()
 {
-  groups_.back().add_options()("help,h", po::bool_switch(), "print this and exit")(
-      "version", po::bool_switch(), "print the version and exit");
+  option("help", "", "print this and exit", {});
+  tool_.groups.back().options.back().letter = 'h';
+  option("man-page", "", "print the manual page, for man -l -, and exit", {});
+  option("completion",
+         "",
+         "print what completes this command line in bash, for eval, and exit",
+         {});
+  option("version", "", "print the version and exit", {});
 }
 
 void
 CommandLine::option(const std::string& name,
                     const std::string& placeholder,
                     const std::string& help,
-                    const Take& take)
+                    const Take& take,
+                    const std::vector<std::string>& words,
+                    const std::vector<std::string>& extensions)
 {
-  groups_.back().add_options()(
-      name.c_str(),
-      po::value<std::string>()->value_name(placeholder)->notifier(take),
-      help.c_str());
+  tool_.groups.back().options.push_back(
+      {name, placeholder, help, words, extensions, take});
 }
 
 void
@@ -136,6 +218,20 @@ CommandLine::text(const std::string& name,
       throw UsageError("--" + name + " is empty; it must be " + placeholder);
     target = value;
   });
+}
+
+void
+CommandLine::file(const std::string& name,
+                  const std::string& placeholder,
+                  const std::vector<std::string>& extensions,
+                  std::string& target,
+                  const std::string& help)
+{
+  const auto take = [=, &target](const std::string& value) {
+    requireExtension("--" + name, value, extensions);
+    target = value;
+  };
+  option(name, placeholder, help, take, {}, extensions);
 }
 
 void
@@ -159,12 +255,13 @@ CommandLine::choose(const std::string& name,
                     const std::string& help,
                     const Take& take)
 {
-  option(name, placeholder, help, [=](const std::string& word) {
+  const auto check_and_take = [=](const std::string& word) {
     if (std::find(words.begin(), words.end(), word) == words.end())
       throw UsageError("--" + name + " is '" + word + "'; it must be " +
                        alternatives(words));
     take(word);
-  });
+  };
+  option(name, placeholder, help, check_and_take, words);
 }
 
 void
@@ -183,30 +280,52 @@ CommandLine::require(const std::string& name, const std::vector<std::string>& ot
 bool
 CommandLine::parse(int argc,
                    const char* const* argv,
-                   std::vector<std::string*> files,
-                   const std::string& names)
+                   const std::vector<FileArgument>& files,
+                   const std::vector<std::string*>& targets)
 {
+  tool_.files = files;
   std::vector<std::string> given;
   if (!read(argc, argv, given))
     return false;
   if (given.size() != files.size())
-    throw UsageError(names + " are needed, " + std::to_string(files.size()) +
-                     " file names; given: " + std::to_string(given.size()));
-  for (std::size_t i = 0; i < files.size(); ++i)
-    *files[i] = given[i];
+    throw UsageError(needOf(files) + "; given: " + std::to_string(given.size()));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].is_checked)
+      requireExtension(files[i].name, given[i], files[i].extensions);
+    *targets[i] = given[i];
+  }
   return true;
 }
 
 bool
 CommandLine::parseList(int argc,
                        const char* const* argv,
-                       std::vector<std::string>& files,
-                       const std::string& name)
+                       const FileArgument& file,
+                       std::vector<std::string>& given)
 {
-  if (!read(argc, argv, files))
+  tool_.files = {file};
+  if (!read(argc, argv, given))
     return false;
-  if (files.empty())
-    throw UsageError(name + " is needed, at least 1 file name; given: 0");
+  if (given.empty())
+    throw UsageError(file.name + " is needed, at least 1 file name; given: 0");
+  return true;
+}
+
+/** Answer what is asked about the tool itself.
+ *  \return whether there was such a question */
+bool
+CommandLine::answers(int argc, const char* const* argv) const
+{
+  if (isThere(argc, argv, {"-h", "--help"}))
+    printHelp(tool_);
+  else if (isThere(argc, argv, {"--version"}))
+    std::cout << tool_.tool << ' ' << PCL_CID_VERSION << '\n';
+  else if (isThere(argc, argv, {"--man-page"}))
+    writeManPage(std::cout, tool_);
+  else if (isThere(argc, argv, {"--completion"}))
+    writeCompletion(std::cout, tool_);
+  else
+    return false;
   return true;
 }
 
@@ -215,17 +334,11 @@ CommandLine::parseList(int argc,
 bool
 CommandLine::read(int argc, const char* const* argv, std::vector<std::string>& given)
 {
-  if (isThere(argc, argv, {"-h", "--help"})) {
-    printHelp();
+  if (answers(argc, argv))
     return false;
-  }
-  if (isThere(argc, argv, {"--version"})) {
-    std::cout << tool_ << ' ' << PCL_CID_VERSION << '\n';
-    return false;
-  }
   po::options_description known;
-  for (const po::options_description& group : groups_)
-    known.add(group);
+  for (const OptionGroup& group : tool_.groups)
+    known.add(parserOf(group));
   known.add_options()("file", po::value<std::vector<std::string>>(&given));
   po::variables_map values;
   try {
@@ -269,20 +382,6 @@ CommandLine::checkCombinations(
       missing.push_back("--" + other);
     throw UsageError("--" + name + " has no effect without " + alternatives(missing));
   }
-}
-
-void
-CommandLine::printHelp() const
-{
-  std::cout << about_ << "\n\nUsage: ";
-  for (const char letter : usage_) {
-    std::cout << letter;
-    if (letter == '\n')
-      std::cout << "       ";
-  }
-  std::cout << '\n';
-  for (const po::options_description& group : groups_)
-    std::cout << '\n' << group;
 }
 
 } // namespace pcl_cid::tools

@@ -4,10 +4,13 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Command lines: options declared once feed the parser, the checks and the help.
+ * Command lines: options declared once feed the parser, the checks, the help, the man
+ * page and the completion.
  */
 
 #pragma once
+
+#include "tool_description.h"
 
 #include <pcl_cid/core/settings.h>
 
@@ -20,8 +23,6 @@
 #include <utility>
 #include <vector>
 
-#include <boost/program_options/options_description.hpp>
-
 namespace pcl_cid::tools {
 
 /** \brief The command line is wrong; the message is one sentence. */
@@ -30,14 +31,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief Refuse a file name with another extension.
- *  \param[in] name what the user calls the file: OUTPUT, --labels
- *  \param[in] extensions in small letters, with the dot
- *  \throws UsageError */
-void
-requireExtension(const std::string& name,
-                 const std::string& path,
-                 const std::vector<std::string>& extensions);
+/** \brief A scan that is read: a file, or a folder of a data set. */
+FileArgument
+scanArgument(const std::string& name);
+
+/** \brief A file that is written. */
+FileArgument
+outputArgument(const std::string& name, const std::vector<std::string>& extensions);
 
 /** \brief The name of a row as an option: "start-index" for "start_index". */
 std::string
@@ -76,13 +76,22 @@ public:
   void
   paperOption();
 
-  /** \brief `--help` and `--version`, which parse() answers. */
+  /** \brief `--help`, `--version` and what else is printed about the tool, which
+   *  parse() answers. */
   void
   helpOptions();
 
   void
   text(const std::string& name,
        const std::string& placeholder,
+       std::string& target,
+       const std::string& help);
+
+  /** \brief A file whose name must end in one of some extensions. */
+  void
+  file(const std::string& name,
+       const std::string& placeholder,
+       const std::vector<std::string>& extensions,
        std::string& target,
        const std::string& help);
 
@@ -145,7 +154,8 @@ public:
              is_word = text == word;
              if (!is_word)
                target = parse<Number>(row, text, ", or '" + word + "'");
-           });
+           },
+           {word});
   }
 
   /** \brief One of the words of a row. */
@@ -177,25 +187,23 @@ public:
   void
   require(const std::string& name, const std::vector<std::string>& others);
 
-  /** \brief Read a command line, or answer `--help` and `--version`, wherever they
-   *  stand.
-   *  \param[out] files what is not an option, exactly as many as asked for
-   *  \param[in] names what the user calls them
+  /** \brief Read a command line, or answer `--help` and the like, wherever they stand.
+   *  \param[in] files what is not an option, exactly as many as asked for
+   *  \param[out] targets their names
    *  \return whether there is work to do
    *  \throws UsageError */
   bool
   parse(int argc,
         const char* const* argv,
-        std::vector<std::string*> files,
-        const std::string& names = "INPUT and OUTPUT");
+        const std::vector<FileArgument>& files,
+        const std::vector<std::string*>& targets);
 
-  /** \brief The same for any number of files, at least one.
-   *  \param[in] name what the user calls one of them */
+  /** \brief The same for any number of files of one kind, at least one. */
   bool
   parseList(int argc,
             const char* const* argv,
-            std::vector<std::string>& files,
-            const std::string& name);
+            const FileArgument& file,
+            std::vector<std::string>& given);
 
 private:
   using Take = std::function<void(const std::string&)>;
@@ -203,11 +211,16 @@ private:
   bool
   read(int argc, const char* const* argv, std::vector<std::string>& given);
 
+  bool
+  answers(int argc, const char* const* argv) const;
+
   void
   option(const std::string& name,
          const std::string& placeholder,
          const std::string& help,
-         const Take& take);
+         const Take& take,
+         const std::vector<std::string>& words = {},
+         const std::vector<std::string>& extensions = {});
 
   template <typename Row, typename Target>
   void
@@ -244,9 +257,6 @@ private:
   void
   checkCombinations(const std::function<bool(const std::string&)>& is_given) const;
 
-  void
-  printHelp() const;
-
   /** "grow hulls outward by this, metres; the note". */
   template <typename Value>
   static std::string
@@ -273,10 +283,7 @@ private:
     return number;
   }
 
-  std::string tool_;
-  std::string usage_;
-  std::string about_;
-  std::vector<boost::program_options::options_description> groups_;
+  ToolDescription tool_;
   std::vector<std::function<void()>> set_paper_; ///< for each row that has `in_paper`
   std::vector<std::pair<std::string, std::string>> exclusive_;
   std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;

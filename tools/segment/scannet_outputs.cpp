@@ -40,8 +40,9 @@ void
 declareScannetOptions(ScannetSettings& settings, CommandLine& line)
 {
   line.group("For tools of ScanNet");
-  line.text("superpoints",
+  line.file("superpoints",
             "FILE.json",
+            {".json"},
             settings.superpoints,
             "write the group of each point as segIndices, as in ScanNet's segs.json");
   line.text("scannet-submission",
@@ -55,8 +56,6 @@ declareScannetOptions(ScannetSettings& settings, CommandLine& line)
 void
 checkScannetOptions(const ScannetSettings& settings, const std::string& labels_from)
 {
-  if (!settings.superpoints.empty())
-    requireExtension("--superpoints", settings.superpoints, {".json"});
   if (!settings.submission.empty() && labels_from.empty())
     throw UsageError("--scannet-submission needs --labels-from, which says what "
                      "instance, and so what class, a label means");

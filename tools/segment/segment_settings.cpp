@@ -75,9 +75,12 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
                 optionName(setting::coverage),
                 optionName(setting::start_index),
                 optionName(setting::seeding)});
-  if (!line.parse(argc, argv, {&settings.input, &settings.output}))
+  if (!line.parse(
+          argc,
+          argv,
+          {scanArgument("INPUT"), outputArgument("OUTPUT", writableCloudExtensions())},
+          {&settings.input, &settings.output}))
     return false;
-  requireExtension("OUTPUT", settings.output, writableCloudExtensions());
   checkScannetOptions(settings.scannet, settings.labels_from);
   return true;
 }

@@ -135,7 +135,7 @@ readCommandLine(int argc, const char* const* argv, SimulateSettings& settings)
   declareReadingOptions(settings, line);
   line.text("csv", "FILE.csv", settings.csv, "write all scores as a table");
   declareLastOptions(settings, line);
-  if (!line.parseList(argc, argv, settings.scans, "SCAN"))
+  if (!line.parseList(argc, argv, scanArgument("SCAN"), settings.scans))
     return false;
   requireEffect(settings, clicks);
   if (!clicks.empty())

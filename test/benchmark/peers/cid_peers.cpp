@@ -138,7 +138,7 @@ readCommandLine(int argc, const char* const* argv, Settings& settings)
       "The last three are tried with many settings; doc/peers.md says which is taken.");
   declareMethodOptions(settings, line);
   declareComparison(settings, line);
-  if (!line.parse(argc, argv, {&settings.scan}, "SCAN"))
+  if (!line.parse(argc, argv, {tools::scanArgument("SCAN")}, {&settings.scan}))
     return false;
   settings.random_seeds.clear();
   for (unsigned start = 0; start < settings.starts; ++start)

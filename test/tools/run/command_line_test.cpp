@@ -52,6 +52,21 @@ TEST_F(ToolTest, PrintTheirVersion)
   }
 }
 
+TEST_F(ToolTest, PrintWhatManAndBashWantOfThem)
+{
+  for (const std::string& tool : tools) {
+    const ToolRun page = run(tool, {scan_, "--man-page"});
+    EXPECT_EQ(page.exit_code, 0);
+    EXPECT_EQ(page.out.rfind(".TH ", 0), 0u);
+    EXPECT_NE(page.out.find("\\fB\\-\\-seeds\\fR \\fIK\\fR\n"), std::string::npos);
+    const ToolRun completion = run(tool, {"--nonsense", "--completion"});
+    EXPECT_EQ(completion.exit_code, 0);
+    EXPECT_NE(completion.out.find("complete -F _" + tool + " " + tool),
+              std::string::npos);
+    EXPECT_EQ(page.err + completion.err, "");
+  }
+}
+
 struct WrongLine {
   Arguments options;
   Arguments complaints; ///< what the message must contain

@@ -54,7 +54,7 @@ protected:
   parse(std::vector<const char*> arguments)
   {
     arguments.insert(arguments.begin(), "tool");
-    line_.parse(static_cast<int>(arguments.size()), arguments.data(), {}, "No files");
+    line_.parse(static_cast<int>(arguments.size()), arguments.data(), {}, {});
   }
 
   /** What is said of a wrong command line. */
