@@ -82,9 +82,9 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "www-browser")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
   "${about}\n\nThis package has the module pcl_cid for Python 3, on arrays of numpy.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+math(EXPR next_python "${PCL_CID_PYTHON_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-  "${runtime_package} ${same_version}, python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
+  "${runtime_package} ${same_version}, python3 (>= 3.${PCL_CID_PYTHON_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm")
 
 include(CPack)

@@ -19,7 +19,14 @@ debootstrap --variant=minbase bookworm "$root"
 mkdir -p "$root/work"
 cp "$packages"/*.deb "$source_dir/data/room.pcd" "$source_dir/doc/examples/segment_and_abstract.cpp" "$root/work"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
-cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/" # how the network is reached
+# How this machine reaches Debian, updates included.
+cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
+rm "$root/etc/apt/sources.list"
+cp -r /etc/apt/sources.list /etc/apt/sources.list.d "$root/etc/apt/" 2>/dev/null || true
+
+# Java's packages, which VTK's want, look there.
+mount -t proc proc "$root/proc"
+trap 'umount "$root/proc"' EXIT
 
 inside() {
   chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive \
@@ -32,7 +39,7 @@ import pcl_cid
 cloud = pcl_cid.read(\"room.pcd\")
 scan = pcl_cid.Scan(cloud.points)
 scan.propose(20)
-assert (scan.labels() == 0).all()
+assert len(set(scan.labels())) == 20
 print(\"coverage\", scan.coverage)"'
 inside 'apt-get -qq install --yes --no-install-recommends build-essential cmake ninja-build pkg-config'
 inside 'cat > CMakeLists.txt <<END

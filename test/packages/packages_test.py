@@ -71,7 +71,9 @@ def each_says_what_it_needs(packages):
         assert f"{library} (= {version})" in packages.field(package, "Depends"), package
     assert "libpcl-dev" in packages.field("libpcl-cid-dev", "Depends")
     assert "libboost-program-options" in packages.field("pcl-cid-tools", "Depends")
-    assert "python3-numpy" in packages.field("python3-pcl-cid", "Depends")
+    python = packages.field("python3-pcl-cid", "Depends")
+    minor = int(run("/usr/bin/python3", "-c", "import sys; print(sys.version_info.minor)"))
+    assert f"python3 (>= 3.{minor}), python3 (<< 3.{minor + 1})" in python and "python3-numpy" in python, python
     for package in packages.debs:
         documents = packages.usr / "share/doc" / package
         assert "Redistribution and use" in (documents / "copyright").read_text(), package

@@ -31,7 +31,7 @@ anything = st.one_of(scalars, arrays, small, st.lists(scalars, max_size=4),
                      st.dictionaries(st.text(max_size=3), scalars, max_size=2),
                      st.lists(st.integers(-2, 62), max_size=5))
 
-many = settings(max_examples=150, deadline=None, database=None,
+many = settings(max_examples=80, deadline=None, database=None,
                 suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
 
 

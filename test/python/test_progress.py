@@ -87,7 +87,7 @@ import numpy, signal, sys, time
 import pcl_cid
 signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in jobs of the background
 end = time.time() + 60
-points = numpy.random.default_rng(0).uniform(0, 10, (300000, 3)).astype("f4")
+points = numpy.random.default_rng(0).uniform(0, 10, (150000, 3)).astype("f4")
 points[:, 2] *= numpy.sin(points[:, 0])
 verb = sys.argv[1]
 if verb != "Scan":
@@ -129,9 +129,12 @@ def seconds_to_stop(verb):
 @pytest.mark.parametrize("verb", ["Scan", "propose", "parts", "labels", "group_cid"])
 def test_ctrl_c(verb):
     # 0.2 s on a machine of one's own; what other tests take beside it comes on top.
-    least = min(seconds_to_stop(verb) for _ in range(2))
-    print(f"{verb}: {least:.3f} s")
-    assert least < 0.2 * max(1.0, os.getloadavg()[0] / os.cpu_count())
+    limit = 0.2 * max(1.0, os.getloadavg()[0] / os.cpu_count())
+    seconds = seconds_to_stop(verb)
+    if seconds >= limit:  # once more: something else may have come between
+        seconds = seconds_to_stop(verb)
+    print(f"{verb}: {seconds:.3f} s")
+    assert seconds < limit
 
 
 def test_signal_handlers_run_on_the_main_thread_only(scan):

@@ -11,6 +11,7 @@
 #include "labelled_runs.h"
 #include "literal_regions.h"
 #include "prepared_points.h"
+#include "sanitizers.h"
 
 #include <pcl_cid/core/annotation.h>
 #include <pcl_cid/core/label_cleaning.h>
@@ -319,7 +320,8 @@ TEST(DoubtfulClicks, AreThoseOfTheDefinition)
 {
   const AnnotationTask task = twoBoxesInCells(250);
   LiteralDoubts literal(task);
-  for (const AnnotationState& state : annotateDoubts(task, upTo(40), 0)) {
+  for (const AnnotationState& state :
+       annotateDoubts(task, upTo(is_sanitized ? 12 : 40), 0)) {
     literal.click();
     EXPECT_EQ(iousOf(state), countedIous(literal.labels(), task.truth)) << state.clicks;
   }

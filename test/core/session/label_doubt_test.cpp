@@ -10,6 +10,7 @@
 #include "clouds.h"
 #include "prepared_points.h"
 #include "random_actions.h"
+#include "sanitizers.h"
 
 #include "cid/pair_cost.h"
 #include "cid/working_points.h"
@@ -89,7 +90,7 @@ TEST(LabelDoubt, IsWhatAllPairsSay)
     LabelSession session(scan);
     LabelDoubt doubt(scan, samples_on_segment, points);
     std::mt19937_64 random(5);
-    for (int round = 0; round < 5; ++round) {
+    for (int round = 0; round < (is_sanitized ? 2 : 5); ++round) {
       doRandomActions(6, random(), session);
       for (const unsigned int threads : {1u, 3u}) {
         const std::vector<float> margins = doubt.margins(session, onThreads(threads));

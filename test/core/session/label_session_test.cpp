@@ -10,6 +10,7 @@
 #include "clouds.h"
 #include "prepared_points.h"
 #include "random_actions.h"
+#include "sanitizers.h"
 #include "session_state.h"
 
 #include <pcl_cid/core/label_session.h>
@@ -73,7 +74,7 @@ TEST(LabelSession, IsWhatItsSeedsWouldBeFromScratch)
     SCOPED_TRACE(cloud.name);
     LabelSession session(connectedScan(cloud.points));
     std::mt19937_64 random(7);
-    for (int step = 0; step < 60; ++step) {
+    for (int step = 0; step < (is_sanitized ? 20 : 60); ++step) {
       const SessionState before(session);
       try {
         const pcl::Indices changed = session.apply(randomAction(session, random));
@@ -94,7 +95,7 @@ TEST(LabelSession, TakesBackAndDoesAgainAllThatHappened)
   for (const NamedPoints& cloud : allClouds()) {
     SCOPED_TRACE(cloud.name);
     LabelSession session(connectedScan(cloud.points));
-    doRandomActions(40, 3, session);
+    doRandomActions(is_sanitized ? 12 : 40, 3, session);
     while (session.redoable() > 0)
       session.apply(action::Redo{});
     std::vector<SessionState> states{SessionState(session)};

@@ -9,6 +9,7 @@
 
 #include "clouds.h"
 #include "prepared_points.h"
+#include "sanitizers.h"
 
 #include <pcl_cid/core/part_session.h>
 #include <pcl_cid/exceptions.h>
@@ -172,7 +173,7 @@ TEST(PartSession, IsConsistentWhateverHappens)
     PartSession session(prepared(cloud.points, plainSettings()));
     std::mt19937_64 random(5);
     std::vector<PartAction> done;
-    for (int k = 0; k < 150; ++k) {
+    for (int k = 0; k < (is_sanitized ? 30 : 150); ++k) {
       const PartState before(session);
       const PartAction action = randomPartAction(session, random);
       try {
