@@ -45,7 +45,10 @@ export async function press(page, ...keys) {
 export const studio = (page, f, argument) => page.evaluate(f, argument);
 export const counts = (page) => page.evaluate(() => window.studio.counts());
 
-/** A place that a click would take, for which `test` (source of a function of a place) holds. */
+/**
+ * A place that a click would take, for which `test` (source of a function of a place) holds. Where a place is, a
+ * click often takes another one a little before it: that one is as good, if the test holds for it.
+ */
 export async function placeWhere(page, test = 'true', tries = 6000) {
   return page.evaluate(
     ([source, most]) => {
@@ -53,7 +56,10 @@ export async function placeWhere(page, test = 'true', tries = 6000) {
       const { places } = window.studio.counts();
       for (let i = 0; i < Math.min(places, most); i++) {
         const place = (i * 7919) % places;
-        if (window.studio.drawn(place) && holds(place, window.studio) && window.studio.visible(place)) return place;
+        if (!window.studio.drawn(place) || !holds(place, window.studio)) continue;
+        const at = window.studio.project(place);
+        const taken = at && window.studio.pickAt(at.x, at.y);
+        if (taken !== null && holds(taken, window.studio) && window.studio.visible(taken)) return taken;
       }
       return null;
     },
