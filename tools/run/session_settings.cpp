@@ -42,9 +42,11 @@ template <typename Session>
 Session
 prepare(const Settings& settings,
         const LoadedScan& scan,
-        const ExecutionOptions& execution)
+        const ExecutionOptions& execution,
+        bool keep_cid)
 {
   CIDLabelPropagation<pcl::PointXYZ> parameters;
+  parameters.setKeepCID(keep_cid);
   configureGrouping(settings, scan, execution, parameters);
   parameters.setInputCloud(scan.points.points);
   const PreparedScan::ConstPtr prepared = parameters.prepare();
@@ -105,7 +107,8 @@ prepareSession(const Settings& settings,
                const LoadedScan& scan,
                const ExecutionOptions& execution)
 {
-  return prepare<LabelSession>(settings, scan, execution);
+  // A click is compared with what is exact at two thirds of the cost.
+  return prepare<LabelSession>(settings, scan, execution, true);
 }
 
 PartSession
@@ -113,7 +116,7 @@ preparePartSession(const Settings& settings,
                    const LoadedScan& scan,
                    const ExecutionOptions& execution)
 {
-  return prepare<PartSession>(settings, scan, execution);
+  return prepare<PartSession>(settings, scan, execution, false);
 }
 
 } // namespace pcl_cid::tools
