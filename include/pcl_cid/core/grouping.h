@@ -51,10 +51,10 @@ struct GroupingSettings {
   /** M: samples on a segment (Eq. 2). */
   int samples = setting::samples.initial;
   SeedingRule seeding = setting::seeding.initial;
-  /** Whether every verb leaves exact CIDs behind, which makes a first propose() about
-   *  half as long again, and each seed that is added or taken away later a third
-   *  cheaper. Otherwise a point's CID is made exact when something depends on it; results
-   *  are the same. */
+  /** Whether every verb leaves exact CIDs behind: a first propose() takes about half as
+   *  long again, and each seed that is added or taken away later a third less.
+   *  Otherwise a point's CID is made exact when something depends on it. Results are
+   *  the same. */
   bool keep_cid = false;
 };
 

@@ -98,6 +98,13 @@ export class ClassInput {
     return isDigit && !event.ctrlKey && !event.altKey && !event.metaKey && this.act(event, true);
   }
 
+  /** A letter that was pressed there begins a class: the field has the focus again, and gets it. True: it was one. */
+  letter(event: KeyboardEvent): boolean {
+    const isLetter = /^\p{L}$/u.test(event.key) && !event.ctrlKey && !event.altKey && !event.metaKey && !event.shiftKey;
+    if (isLetter) this.focus();
+    return isLetter;
+  }
+
   set picking(on: boolean) {
     this.pickButton.setAttribute('aria-pressed', String(on));
     this.element.classList.toggle('picking', on);

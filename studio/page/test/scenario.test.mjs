@@ -150,6 +150,30 @@ describe('the page of the studio', () => {
     assert.equal((await counts(page)).undo, start.undo + 1);
   });
 
+  test('letters after a turn of the view begin a class in the open card', async () => {
+    await calm();
+    const start = await counts(page);
+    await clickPlace(page, await placeWhere(page));
+    await idle(page);
+    assert.equal(await studio(page, () => window.studio.asking()), 'point');
+    await page.mouse.move(300, 500);
+    await page.mouse.down();
+    await page.mouse.move(340, 500, { steps: 3 });
+    await page.mouse.up();
+    await idle(page);
+    const focused = () => studio(page, () => document.activeElement.className);
+    assert.match(await focused(), /cloud/);
+    const mode = await studio(page, () => window.studio.mode());
+    await page.keyboard.type('vcu lamp'); // V and C and U are keys of the view
+    assert.match(await focused(), /class-field/);
+    assert.equal(await page.inputValue('.class-field'), 'vcu lamp');
+    await press('Enter');
+    assert.equal(await studio(page, () => window.studio.mode()), mode);
+    assert.ok((await studio(page, () => window.studio.instances())).some((one) => one.class === 'vcu lamp'));
+    await press('Control+z');
+    assert.equal((await counts(page)).undo, start.undo);
+  });
+
   test('a lasso labels what is seen in it, and undo takes it back', async () => {
     await calm();
     await press('l');
