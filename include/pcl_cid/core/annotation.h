@@ -152,14 +152,14 @@ struct AnnotationScore {
 PCL_CID_EXPORT AnnotationScore
 scoreAnnotations(const std::vector<InstanceOverlaps>& scans);
 
-/** \brief `IoU@k`: the mean IoU of a scan at k clicks for each instance, on average: that
- *  of the last state with no more clicks.
+/** \brief `IoU@k`: the mean IoU of a scan at k clicks for each instance, on average:
+ *  that of the last state with no more clicks.
  *  \param[in] states of one scan, at least one, as annotateVoxels() returns them */
 PCL_CID_EXPORT double
 meanIouAt(const std::vector<AnnotationState>& states, double clicks_per_instance);
 
-/** \brief `NoC@q`: the clicks for each instance, on average, with which the mean IoU of a
- *  scan is q for the first time.
+/** \brief `NoC@q`: the clicks for each instance, on average, with which the mean IoU of
+ *  a scan is q for the first time.
  *  \param[in] budget what is returned where it never is */
 PCL_CID_EXPORT double
 clicksToReach(const std::vector<AnnotationState>& states, double iou, double budget);
