@@ -62,7 +62,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 file(WRITE ${documents}/shlibs "")
 foreach(library pcl_cid pcl_cid_io)
   file(APPEND ${documents}/shlibs
-    "lib${library} ${library_version} ${runtime_package} ${same_version}\n")
+    "lib${library} ${library_version} ${runtime_package} (>= ${PROJECT_VERSION})\n")
 endforeach()
 file(WRITE ${documents}/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${documents}/shlibs ${documents}/triggers)
@@ -77,7 +77,7 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION
   "${about}\n\nThis package has programs for scans in files: pcl_cid_segment labels points,\npcl_cid_abstract makes convex hulls for collision checks, pcl_cid_evaluate\nand pcl_cid_simulate score labels, and pcl_cid_studio labels scans by hand in\nthe browser.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${runtime_package} ${same_version}")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "www-browser")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "bash-completion, xdg-utils, www-browser")
 
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
   "${about}\n\nThis package has the module pcl_cid for Python 3, on arrays of numpy.")

@@ -4,8 +4,7 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# What demo.sh, check.sh, check_more.sh, benchmark.sh and experiments.sh share; sourced by them, from the
-# project's folder.
+# What the scripts of this folder share; sourced by them, from the project's folder.
 
 # step TEXT: a headline.
 step() {

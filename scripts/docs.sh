@@ -19,5 +19,5 @@ run cmake --preset release "${unity_build[@]}"
 run cmake --build --preset release --parallel "$(nproc)" --target pcl_cid_python_package
 
 step "Site"
-run bash doc/site/make_site.sh build/release/python
+run bash doc/site/make_site.sh build/release/python build/docs
 echo "Open build/docs/html/index.html"

@@ -12,15 +12,22 @@
 # with the network), the packages are installed there, and what they have is used there.
 
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-
 clean_root=
 if [ $# -eq 2 ] && [ "$1" = --clean-root ]; then
-  clean_root=$2
+  clean_root=$(realpath -m "$2")
 elif [ $# -ne 0 ]; then
   echo "usage: scripts/package.sh [--clean-root DIR]" >&2
   exit 2
+fi
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
+
+if [ -n "$clean_root" ] && [ "$(id -u)" -ne 0 ]; then
+  echo "scripts/package.sh: --clean-root needs root" >&2
+  exit 1
+elif [ -n "$clean_root" ] && [ -e "$clean_root" ]; then
+  echo "scripts/package.sh: $clean_root is there already; choose another folder" >&2
+  exit 1
 fi
 
 step "Debian packages that are needed"

@@ -4,17 +4,22 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# The site of the documentation in build/docs/html, without a warning and without a dead link.
+# The site of the documentation in OUTPUT/html, without a warning and without a dead link.
 #
-#   make_site.sh FOLDER_OF_THE_PYTHON_PACKAGE
+#   make_site.sh FOLDER_OF_THE_PYTHON_PACKAGE OUTPUT
 
 set -euo pipefail
 python_folder=$(realpath "$1")
+output=$(realpath -m "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export PYTHONDONTWRITEBYTECODE=1
 
-rm -rf build/docs
-mkdir -p build/docs
-/usr/bin/python3 doc/site/python_reference.py "$python_folder" build/docs/python_reference.md
-doxygen doc/site/Doxyfile
-/usr/bin/python3 doc/site/site_files.py build/docs/html
+rm -rf "$output"
+mkdir -p "$output"
+/usr/bin/python3 doc/site/python_reference.py "$python_folder" "$output/python_reference.md"
+{
+  cat doc/site/Doxyfile
+  echo "OUTPUT_DIRECTORY = $output"
+  echo "INPUT += $output/python_reference.md"
+} | doxygen -
+/usr/bin/python3 doc/site/site_files.py "$output/html"

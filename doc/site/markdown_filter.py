@@ -48,7 +48,8 @@ def site_link(page, text, target):
     if re.match(r"\w+:", target):
         return f"[{text}]({target})"
     file, _, part = target.partition("#")
-    path = os.path.relpath(PROJECT / Path(page).parent / file, PROJECT) if file else page
+    folder = PROJECT if file.startswith("/") else PROJECT / Path(page).parent
+    path = os.path.relpath(folder / file.lstrip("/"), PROJECT) if file else page
     if path.endswith(".md"):
         return f"[{text}](@ref {anchor(path, part) if part else reference_name(path)})"
     return f'<a href="files/{path}">{text}</a>'

@@ -86,7 +86,7 @@ def class_lines(name, cls):
 
 def page(module):
     yield "# Python reference\n"
-    yield "The docstrings of the module, which `help(pcl_cid)` shows, too; [how to use it](../../doc/python.md).\n"
+    yield "The docstrings of the module, which `help(pcl_cid)` shows, too; [how to use it](/doc/python.md).\n"
     yield from documented(module)
     for name in module.__all__:
         thing = getattr(module, name)

@@ -121,7 +121,7 @@ readCommandLine(int argc, const char* const* argv, StudioSettings& settings)
             settings.session,
             "where actions are written; default: SCAN with the extension .session");
   line.text("import",
-            "FIELD",
+            "FIELD|FILE.csv",
             settings.import,
             "begin a new session with the labels in this field of SCAN, or with those "
             "of a table of seeds, FILE.csv");

@@ -142,9 +142,9 @@ writeEnd(std::ostream& stream, const ToolDescription& tool)
       stream << separator << "\\fB" << other << "\\fR(1)";
       separator = ", ";
     }
-  stream
-      << ".PP\nWang et al., \"Concavity\\-Induced Distance for Unoriented Point Cloud "
-         "Decomposition\", IEEE Robotics and Automation Letters, 2023.\n";
+  stream << "\n.PP\nWang et al., \"Concavity\\-Induced Distance for Unoriented Point "
+            "Cloud "
+            "Decomposition\", IEEE Robotics and Automation Letters, 2023.\n";
 }
 
 } // namespace

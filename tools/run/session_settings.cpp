@@ -107,7 +107,7 @@ prepareSession(const Settings& settings,
                const LoadedScan& scan,
                const ExecutionOptions& execution)
 {
-  // A click is compared with what is exact at two thirds of the cost.
+  // With exact CIDs kept, each click costs a third less.
   return prepare<LabelSession>(settings, scan, execution, true);
 }
 

@@ -51,10 +51,9 @@ struct GroupingSettings {
   /** M: samples on a segment (Eq. 2). */
   int samples = setting::samples.initial;
   SeedingRule seeding = setting::seeding.initial;
-  /** Whether every verb leaves exact CIDs behind: a first propose() takes about half as
-   *  long again, and each seed that is added or taken away later a third less.
-   *  Otherwise a point's CID is made exact when something depends on it. Results are
-   *  the same. */
+  /** Whether every verb leaves exact CIDs behind. A first propose() takes about 50 %
+   *  longer then; adding or removing a seed later, a third less time. Otherwise a
+   *  point's CID is made exact when something depends on it. Results are the same. */
   bool keep_cid = false;
 };
 

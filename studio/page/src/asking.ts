@@ -54,7 +54,7 @@ export class Asking extends Emitter<{ closed: Asked; opened: Asked }> {
     super();
     area.append(this.ring);
     view.on('frame', () => this.follow());
-    // After a turn of the view the keys belong to it, but who types a class means the card.
+    // After a turn of the view the keys belong to it, but digits and letters are meant for the card.
     view.canvas.addEventListener('keydown', (event) => {
       if (this.card?.digit(event)) event.preventDefault();
       else if (this.card?.letter(event)) event.stopPropagation();

@@ -109,7 +109,7 @@ export function bindings(c: Commands): Binding[] {
     mouse(camera, 'Wheel', 'Zoom to the cursor'),
     mouse(camera, 'Double-click', 'Look at this point'),
     { keys: ['F'], group: camera, text: 'Look at the point under the cursor', run: c.focus },
-    mouse(camera, 'W A S D Q E', 'Fly; Shift: faster'),
+    mouse(camera, 'W A S D Q E', 'Without a card: fly; Shift: faster'),
     { keys: ['ArrowLeft'], group: camera, text: 'Turn left', run: () => c.turn(-1, 0), whileAsking: true },
     { keys: ['ArrowRight'], group: camera, text: 'Turn right', run: () => c.turn(1, 0), whileAsking: true },
     { keys: ['ArrowUp'], group: camera, text: 'Turn up', run: () => c.turn(0, -1), whileAsking: true },

@@ -98,9 +98,9 @@ export class ClassInput {
     return isDigit && !event.ctrlKey && !event.altKey && !event.metaKey && this.act(event, true);
   }
 
-  /** A letter that was pressed there begins a class: the field has the focus again, and gets it. True: it was one. */
+  /** A letter pressed outside the field: the field takes the focus, and with it the letter. */
   letter(event: KeyboardEvent): boolean {
-    const isLetter = /^\p{L}$/u.test(event.key) && !event.ctrlKey && !event.altKey && !event.metaKey && !event.shiftKey;
+    const isLetter = /^\p{L}$/u.test(event.key) && !event.ctrlKey && !event.altKey && !event.metaKey;
     if (isLetter) this.focus();
     return isLetter;
   }

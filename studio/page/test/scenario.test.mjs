@@ -164,12 +164,13 @@ describe('the page of the studio', () => {
     const focused = () => studio(page, () => document.activeElement.className);
     assert.match(await focused(), /cloud/);
     const mode = await studio(page, () => window.studio.mode());
-    await page.keyboard.type('vcu lamp'); // V and C and U are keys of the view
+    await page.keyboard.press('Shift+KeyV'); // V and Shift+V, C and U are keys of the view
+    await page.keyboard.type('cu lamp');
     assert.match(await focused(), /class-field/);
-    assert.equal(await page.inputValue('.class-field'), 'vcu lamp');
+    assert.equal(await page.inputValue('.class-field'), 'Vcu lamp');
     await press('Enter');
     assert.equal(await studio(page, () => window.studio.mode()), mode);
-    assert.ok((await studio(page, () => window.studio.instances())).some((one) => one.class === 'vcu lamp'));
+    assert.ok((await studio(page, () => window.studio.instances())).some((one) => one.class === 'Vcu lamp'));
     await press('Control+z');
     assert.equal((await counts(page)).undo, start.undo);
   });
