@@ -5,10 +5,13 @@
 # Copyright (c) 2026, pcl_cid contributors
 #
 # A collision scene: hulls for the picture, and the same hulls as URDF and MJCF by
-# pcl_cid_abstract, which a simulator loads.
+# pcl_cid_abstract; MuJoCo loads the scene, where its library is there.
 #
 #   collision_scene.py room.pcd OUTPUT_FOLDER [pcl_cid_abstract]
 
+import ctypes
+import ctypes.util
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -33,6 +36,22 @@ def draw_hulls(axes, parts):
     axes.set_axis_off()
 
 
+def load_in_mujoco(scene):
+    """By MuJoCo's own library: Debian has no Python package of it."""
+    name = ctypes.util.find_library("mujoco")
+    if name is None:
+        print("There is no MuJoCo here (Debian: libmujoco-dev); the scene was written all the same.")
+        return
+    mujoco = ctypes.CDLL(name)
+    mujoco.mj_loadXML.restype = ctypes.c_void_p
+    complaint = ctypes.create_string_buffer(1000)
+    model = mujoco.mj_loadXML(os.fsencode(scene), None, complaint, len(complaint))
+    if not model:
+        sys.exit(f"{scene}: {complaint.value.decode()}")
+    mujoco.mj_deleteModel(ctypes.c_void_p(model))
+    print(f"MuJoCo has loaded {scene}")
+
+
 def main(path, folder, tool="pcl_cid_abstract"):
     parts = pcl_cid.Scan(pcl_cid.read(path)).parts(count=COUNT)
     pcl_cid.save(folder / "hulls.obj", parts)
@@ -42,6 +61,7 @@ def main(path, folder, tool="pcl_cid_abstract"):
     save(figure, folder / "collision_scene.png")
     subprocess.run([tool, path, folder / "scene.obj", "--parts", str(COUNT), "--quiet",
                     "--urdf", folder / "scene.urdf", "--mjcf", folder / "scene.xml"], check=True)
+    load_in_mujoco(folder / "scene.xml")
 
 
 if __name__ == "__main__":
