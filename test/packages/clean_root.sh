@@ -22,7 +22,9 @@ cp /etc/resolv.conf "$root/etc/resolv.conf"
 # How this machine reaches Debian, updates included.
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 rm "$root/etc/apt/sources.list"
-cp -r /etc/apt/sources.list /etc/apt/sources.list.d /etc/apt/keyrings "$root/etc/apt/" 2>/dev/null || true
+for source in sources.list sources.list.d keyrings; do
+  if [ -e "/etc/apt/$source" ]; then cp -r "/etc/apt/$source" "$root/etc/apt/"; fi
+done
 cp -rn /usr/share/keyrings/. "$root/usr/share/keyrings/"
 
 # Java's packages, which VTK's want, look there.
