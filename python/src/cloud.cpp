@@ -152,6 +152,15 @@ Cloud::column(const std::string& name) const
 py::array
 Cloud::points() const
 {
+  const py::array in_file = pointsOfFile();
+  if (cloud_->scale == 1.0)
+    return in_file;
+  return py::object(in_file.attr("__mul__")(cloud_->scale));
+}
+
+py::array
+Cloud::pointsOfFile() const
+{
   const auto* const x = find(*cloud_, "x");
   const auto* const y = find(*cloud_, "y");
   const auto* const z = find(*cloud_, "z");
@@ -180,7 +189,7 @@ Cloud::colors() const
 py::array
 Cloud::sensor() const
 {
-  const Eigen::Vector4f& p = cloud_->sensor_origin;
+  const Eigen::Vector4f p = cloud_->sensor_origin * static_cast<float>(cloud_->scale);
   const Eigen::Quaternionf& q = cloud_->sensor_orientation;
   return arrayOf(std::vector<float>{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
 }

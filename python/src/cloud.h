@@ -40,7 +40,8 @@ public:
   py::array
   column(const std::string& name) const;
 
-  /** \brief (N, 3) of x, y and z: a view where they stand side by side. */
+  /** \brief (N, 3) of x, y and z, metres: a view where they stand side by side and are
+   *  metres in the file, too. */
   py::array
   points() const;
 
@@ -58,6 +59,10 @@ public:
   setColumn(const std::string& name, const py::object& values);
 
 private:
+  /** \brief points() in the unit of the file. */
+  py::array
+  pointsOfFile() const;
+
   py::array
   viewOf(std::vector<py::ssize_t> shape,
          const pcl::PCLPointField& field,

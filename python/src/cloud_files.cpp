@@ -35,10 +35,17 @@ constexpr const char* read_doc = R"(Read a cloud from a file or the folder of a 
 Parameters
 ----------
 path : str or os.PathLike
-    A PCD or PLY file, a room folder of S3DIS or a scan folder of ScanNet.
+    A PCD or PLY file, text, an array of NumPy, a scan of KITTI or nuScenes (`.bin`), any
+    of these packed by gzip, a mesh, a room folder of S3DIS or a scan folder of ScanNet.
 class_table : str or os.PathLike, optional
     ScanNet's `scannetv2-labels.combined.tsv`; looked for in the folder of the scan and
     above it where it is not given.
+scale : float, optional
+    Metres that a unit of the coordinates stands for; 0.001 for millimetres. The fields
+    keep the unit of the file.
+mesh_spacing : float, optional
+    How far apart points are that are laid over the surface of a mesh, in the unit of
+    the file; 0 for about 200,000 points. With it, a PLY is read as a mesh.
 
 Returns
 -------
@@ -79,14 +86,17 @@ constexpr std::pair<const char*, CloudEncoding> encodings[] = {
     {"compressed", CloudEncoding::compressed}};
 
 Cloud
-read(const py::object& path, const py::object& class_table)
+read(const py::object& path,
+     const py::object& class_table,
+     double scale,
+     double mesh_spacing)
 {
   Remarks remarks;
   const std::string file = pathOf(path);
   const std::string table = class_table.is_none() ? "" : pathOf(class_table);
   Cloud cloud([&] {
     const GilReleased released;
-    return readScan(file, {table, remarks.callback()});
+    return readScan(file, {table, remarks.callback(), scale, mesh_spacing});
   }());
   remarks.warn();
   return cloud;
@@ -181,7 +191,7 @@ bindClouds(py::module_& module)
           "points",
           &Cloud::points,
           "ndarray of shape (N, 3): x, y and z, metres; a view where "
-          "they stand side by side.")
+          "they stand side by side and are metres in the file, too.")
       .def_property_readonly(
           "colors",
           &Cloud::colors,
@@ -192,7 +202,13 @@ bindClouds(py::module_& module)
                              "ndarray of float32, shape (7,): x, y, z of the sensor in "
                              "metres, and its rotation as w, x, y, z.");
   module.def(
-      "read", &read, py::arg("path"), py::arg("class_table") = py::none(), read_doc);
+      "read",
+      &read,
+      py::arg("path"),
+      py::arg("class_table") = py::none(),
+      py::arg("scale") = setting::scale.initial,
+      py::arg("mesh_spacing") = setting::mesh_spacing.initial,
+      read_doc);
   module.def("write",
              &write,
              py::arg("path"),

@@ -131,12 +131,13 @@ cloudFiles(const std::vector<CloudLayout>& layouts)
 FuzzedReader
 cloudReader(const char* name,
             const std::vector<CloudLayout>& layouts,
-            const std::vector<std::string>& more)
+            const std::vector<std::string>& more,
+            const std::string& extension = "")
 {
   std::vector<std::string> corpus = cloudFiles(layouts);
   corpus.insert(corpus.end(), more.begin(), more.end());
   const auto read = [](const std::string& path) { useCloud(readCloud(path)); };
-  return {name, fromFile(folder().file(name), read), corpus};
+  return {name, fromFile(folder().file(std::string(name) + extension), read), corpus};
 }
 
 template <typename Read, typename Write>
@@ -242,6 +243,22 @@ makeReaders()
            "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\n"
            "property float y\nproperty float z\nproperty uchar r\nproperty uchar g\n"
            "property uchar b\nend_header\n123412341234rgb"}),
+      cloudReader("text",
+                  {},
+                  {"1 2 3\n4 5.5 6e-3\nnan 8 9\n",
+                   "//X,Y,Z,R,G,B,class\n2\n1,2,3,255,0,1,wall\n4,5,6,1,2,3,\n",
+                   "x;y;z;\"my label\"\r\n1,5;2;3;4\r\n;;;5\r\n"},
+                  ".xyz"),
+      cloudReader("npy",
+                  {},
+                  {std::string("\x93NUMPY\1\0", 8) + std::string("\x3a\0", 2) +
+                       "{'descr': '<f4', 'fortran_order': True, 'shape': (1, 3), }" +
+                       "123412341234",
+                   std::string("\x93NUMPY\1\0", 8) + std::string("\x5b\0", 2) +
+                       "{'descr': [('xyz', '>f8', (3,)), ('rgb', '|u1', 3)], "
+                       "'fortran_order': False, 'shape': (1,)}" +
+                       "123456781234567812345678rgb"}),
+      cloudReader("lidar", {}, {std::string(80, '1'), std::string(20, '\0')}, ".bin"),
       meshReader(
           "obj",
           [](const std::string& path) { readOBJ(path); },

@@ -15,6 +15,7 @@
 #include "words.h"
 
 #include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/version.h>
 
 #include <algorithm>
@@ -124,7 +125,7 @@ needOf(const std::vector<FileArgument>& files)
 FileArgument
 scanArgument(const std::string& name)
 {
-  return {name, writableCloudExtensions()};
+  return {name, scanExtensions()};
 }
 
 FileArgument

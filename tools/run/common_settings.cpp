@@ -61,6 +61,8 @@ declareReadingOptions(Settings& settings, CommandLine& line)
 {
   line.group(setting::threads.group);
   declareClassTable(settings.class_table, line);
+  line.setting(setting::scale, settings.scale);
+  line.setting(setting::mesh_spacing, settings.mesh_spacing);
   line.flag("keep-zeros",
             settings.keep_zeros,
             "10 points and more exactly at (0, 0, 0), or at the sensor, are points; "
@@ -133,6 +135,8 @@ groupingParametersOf(const Settings& settings, const CIDParameters& parameters)
       parameter(setting::subsample, parameters.getSubsample()),
       parameter(setting::random_seed, parameters.getRandomSeed()),
       parameter(setting::start_index, settings.start_index),
+      parameter(setting::scale, settings.scale),
+      parameter(setting::mesh_spacing, settings.mesh_spacing),
       parameter(setting::threads, parameters.getNumberOfThreads())};
   for (Report::Parameter& each : parametersOf(settings.raw_scan))
     list.push_back(std::move(each));

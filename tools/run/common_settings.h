@@ -52,6 +52,8 @@ struct Settings {
   unsigned int threads = setting::threads.initial;
   LabelType label_type = label_type_setting.initial;
   std::string report;
+  double scale = setting::scale.initial;
+  double mesh_spacing = setting::mesh_spacing.initial;
   bool keep_zeros = false;
   bool quiet = false;
 

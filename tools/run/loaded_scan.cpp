@@ -24,17 +24,40 @@ inputFiles(const Settings& settings)
   return scanFiles(settings.input, settings.class_table);
 }
 
+namespace {
+
+/** Say so when the scan is larger than buildings are: its unit may not be the metre. */
+void
+remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
+{
+  constexpr double longest_building = 500.0;
+  Eigen::AlignedBox3f box;
+  for (const pcl::PointXYZ& point : *scan.points.points)
+    if (point.getVector3fMap().allFinite())
+      box.extend(point.getVector3fMap());
+  const Eigen::Vector3f size = box.sizes();
+  if (settings.scale == setting::scale.initial && size.maxCoeff() > longest_building)
+    run.remark()(settings.input + ": measures " + shortNumber(size.x()) + " x " +
+                 shortNumber(size.y()) + " x " + shortNumber(size.z()) +
+                 " metres; if it is in millimetres, give --scale 0.001");
+}
+
+} // namespace
+
 LoadedScan
 loadScan(const Settings& settings, Run& run)
 {
   run.begin("Loading " + settings.input);
   LoadedScan scan;
-  scan.cloud = readScan(settings.input, {settings.class_table, run.remark()});
+  scan.cloud = readScan(
+      settings.input,
+      {settings.class_table, run.remark(), settings.scale, settings.mesh_spacing});
   scan.points = pointsOf(scan.cloud, {settings.keep_zeros, run.remark()});
   const std::string size = std::to_string(scan.cloud.size());
   if (scan.points.finite == 0)
     throw CIDException(settings.input + ": none of its " + size +
                        " points is finite; at least 1 must be");
+  remarkOnUnit(settings, scan, run);
   run.end(size + " points, " + std::to_string(scan.points.finite) + " finite", "load");
   run.report.input = settings.input;
   return scan;

@@ -304,6 +304,17 @@ inline constexpr NumberSetting<double> free_distance{
     "Hulls", "free_distance", "free distance", "R", "metres", 0.05, shortest, longest,
     "space that is farther than this from the scan counts as free"};
 
+inline constexpr NumberSetting<double> scale{
+    "Run", "scale", "scale", "S", "metres", 1.0, shortest, longest,
+    "length of a unit of the input's coordinates; 0.001 for millimetres"};
+
+inline constexpr NumberSetting<double> mesh_spacing{
+    "Run", "mesh_spacing", "spacing of samples", "R", "units of the input", 0.0, shortest,
+    longest,
+    "how far apart points are that are laid over the surface of a mesh (OBJ, STL, OFF, "
+    "and with this option PLY)",
+    "for about 200,000 points"};
+
 inline constexpr NumberSetting<unsigned int> threads{
     "Run", "threads", "number of threads", "T", "", 0, 0, 1024,
     "number of threads, which never changes a result",
@@ -347,6 +358,8 @@ forEachSetting(Visitor&& visit)
             setting::padding,
             setting::trim_distance,
             setting::free_distance,
+            setting::scale,
+            setting::mesh_spacing,
             setting::threads);
 }
 

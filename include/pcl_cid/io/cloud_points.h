@@ -39,7 +39,8 @@ struct CloudPoints {
   std::size_t finite = 0;
 };
 
-/** \brief The coordinates of a cloud as they stand in its file. */
+/** \brief The coordinates of a cloud as they stand in its file, times its scale:
+ *  metres. */
 class PCL_CID_IO_EXPORT FileCoordinates {
 public:
   /** \param[in] cloud must live as long as this, and keep its fields

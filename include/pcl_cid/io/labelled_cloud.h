@@ -10,6 +10,7 @@
 #pragma once
 
 #include <pcl_cid/core/color.h>
+#include <pcl_cid/core/settings.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/cloud_format.h>
 #include <pcl_cid/pcl_cid_io_export.h>
@@ -42,6 +43,9 @@ struct LabelledCloud {
   /** Every field of every point, in the order of the file, without padding; `width` and
    *  `height` as in the file. */
   pcl::PCLPointCloud2 fields;
+  /** Metres that a unit of its coordinates stands for, setting::scale. The fields and
+   *  the sensor's place are in the unit of the file; pointsOf() gives metres. */
+  double scale = setting::scale.initial;
   /** Where the sensor was: x, y, z, and 0. */
   Eigen::Vector4f sensor_origin = Eigen::Vector4f::Zero();
   /** How the sensor was turned. */

@@ -25,6 +25,12 @@ struct ScanOptions {
   /** Called with one sentence, with file and line, for each thing that was repaired,
    *  left out or assumed; may be empty. */
   RemarkCallback remark;
+  /** LabelledCloud::scale, setting::scale. */
+  double scale = setting::scale.initial;
+  /** Spacing of the points that are laid over the surface of a mesh, in the unit of the
+   *  file, setting::mesh_spacing; 0: for about 200,000 points. A PLY is a mesh only
+   *  where this is given. */
+  double mesh_spacing = setting::mesh_spacing.initial;
 };
 
 /** \brief Whether a path is a folder that readScan() reads: a room of S3DIS or a scan
@@ -38,14 +44,20 @@ isScanFolder(const std::string& path);
 PCL_CID_IO_EXPORT bool
 isScan(const std::string& path);
 
+/** \brief How names of files that readScan() reads end: those of cloud formats and
+ *  meshes, and ".gz". */
+PCL_CID_IO_EXPORT std::vector<std::string>
+scanExtensions();
+
 /** \brief Names of the datasets whose folders readScan() reads: "S3DIS", "ScanNet". */
 PCL_CID_IO_EXPORT std::vector<std::string>
 datasetNames();
 
-/** \brief Read a file of any cloud format (readCloud()), a room of S3DIS
- *  (readS3DISRoom()) or a scan of ScanNet (readScannetScan()).
- *  \throws CIDException when it is none of them, cannot be read, or is no scan of
- *  ScanNet although a class table is given */
+/** \brief Read a file of any cloud format (readCloud()), a mesh
+ *  (readSurfaceAsCloud()), a room of S3DIS (readS3DISRoom()) or a scan of ScanNet
+ *  (readScannetScan()).
+ *  \throws CIDException when it is none of them, cannot be read, is no scan of ScanNet
+ *  although a class table is given, or no mesh although a spacing is */
 PCL_CID_IO_EXPORT LabelledCloud
 readScan(const std::string& path, const ScanOptions& options = {});
 

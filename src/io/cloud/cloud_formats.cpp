@@ -8,21 +8,21 @@
  */
 
 #include "base/sentence.h"
+#include "columns/column_formats.h"
 #include "fields/field_values.h"
 #include "fields/required_fields.h"
+#include "foreign_formats.h"
 #include "pcd/pcd_format.h"
 #include "ply/ply_format.h"
 #include "text/format_table.h"
 #include "text/numbers.h"
+#include "text/opened_file.h"
 
 #include <pcl_cid/io/cloud_formats.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <istream>
 #include <utility>
 
 namespace pcl_cid {
@@ -32,7 +32,8 @@ namespace {
 FormatTable<CloudFormat>&
 formatTable()
 {
-  static FormatTable<CloudFormat> table{pcdFormat(), plyFormat()};
+  static FormatTable<CloudFormat> table{
+      pcdFormat(), plyFormat(), npyFormat(), textFormat(), lidarFormat()};
   return table;
 }
 
@@ -60,44 +61,19 @@ noneOfAll()
   return "is neither " + listed(names, "nor") + " file";
 }
 
-/** A file that can be read at all, open.
- *  \param[out] size in bytes, at least 1 */
-std::ifstream
-openedCloud(const std::string& path, std::uint64_t& size)
-{
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (!fs::exists(path, error))
-    throw CIDException(path + ": there is no such file");
-  if (fs::is_directory(path, error))
-    throw CIDException(path + ": is a folder; " + neededFile());
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
-  stream.seekg(0, std::ios::end);
-  const std::streamoff end = stream.tellg();
-  stream.seekg(0);
-  if (!stream || end < 0)
-    throw CIDException(path + ": cannot be read like a file; " + neededFile());
-  if (end == 0)
-    throw CIDException(path + ": is empty; " + neededFile());
-  size = static_cast<std::uint64_t>(end);
-  return stream;
-}
-
 void
-rewind(std::ifstream& stream)
+rewind(std::istream& stream)
 {
   stream.clear();
   stream.seekg(0);
 }
 
-/** By the content where a format can tell by that, else by the extension.
- *  \param[in,out] stream at the beginning of the file afterwards */
+/** By the content where a format can tell by that, else by the extension. */
 const CloudFormat&
-formatOf(const std::string& path, std::ifstream& stream)
+formatOf(const OpenedFile& file, const std::string& path)
 {
-  const std::string extension = extensionOf(path);
+  std::istream& stream = *file.stream;
+  const std::string extension = extensionOf(file.name);
   const auto isOfThis = [&](const CloudFormat& format) {
     rewind(stream);
     return format.read && (format.recognizes ? format.recognizes(stream)
@@ -105,9 +81,10 @@ formatOf(const std::string& path, std::ifstream& stream)
   };
   const CloudFormat* const format = formatTable().find(isOfThis);
   rewind(stream);
-  if (!format)
-    throw CIDException(path + ": " + noneOfAll());
-  return *format;
+  if (format)
+    return *format;
+  refuseForeignFormat(stream, path);
+  throw CIDException(path + ": " + noneOfAll());
 }
 
 /** Whatever a reader has left undone shows here, not when the cloud is used. */
@@ -193,11 +170,10 @@ mendPose(LabelledCloud& cloud)
 LabelledCloud
 readCloud(const std::string& path)
 {
-  std::uint64_t size = 0;
-  std::ifstream stream = openedCloud(path, size);
+  const OpenedFile file = openFile(path, neededFile());
   LabelledCloud cloud;
   cloud.name = path;
-  formatOf(path, stream).read(stream, size, cloud);
+  formatOf(file, path).read(*file.stream, file.size, cloud);
   requireWhole(cloud);
   mendPose(cloud);
   return cloud;
@@ -242,7 +218,7 @@ cloudFormats()
 const CloudFormat*
 findCloudFormat(const std::string& path)
 {
-  return formatTable().forFile(path);
+  return formatTable().forFile(withoutGzip(path));
 }
 
 std::vector<std::string>

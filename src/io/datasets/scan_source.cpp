@@ -7,13 +7,16 @@
  * A scan from wherever it comes: a file, or a folder of a dataset.
  */
 
+#include "text/opened_file.h"
 #include "text/path_names.h"
 
 #include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/mesh_surface.h>
 #include <pcl_cid/io/s3dis.h>
 #include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/io/scannet.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace pcl_cid {
@@ -83,6 +86,15 @@ requireUseForTable(const std::string& path, const std::string& class_table)
                        class_table);
 }
 
+/** A mesh where it can be nothing else, or a spacing asks for one. */
+LabelledCloud
+readFile(const std::string& path, const ScanOptions& options)
+{
+  return options.mesh_spacing > 0.0 || isSurfaceFile(path)
+             ? readSurfaceAsCloud(path, options.mesh_spacing)
+             : readCloud(path);
+}
+
 [[noreturn]] void
 refuseFolder(const std::string& path)
 {
@@ -107,7 +119,21 @@ isScan(const std::string& path)
     return isScanFolder(path);
   const CloudFormat* const format = findCloudFormat(path);
   std::error_code error;
-  return format && format->read && fs::is_regular_file(path, error);
+  return format && format->read && format->is_of_scans_only &&
+         fs::is_regular_file(path, error);
+}
+
+std::vector<std::string>
+scanExtensions()
+{
+  std::vector<std::string> extensions = surfaceExtensions();
+  for (const CloudFormat& format : cloudFormats())
+    if (format.read)
+      for (const std::string& extension : format.extensions)
+        if (std::count(extensions.begin(), extensions.end(), extension) == 0)
+          extensions.push_back(extension);
+  extensions.push_back(gzip_extension);
+  return extensions;
 }
 
 std::vector<std::string>
@@ -122,11 +148,18 @@ datasetNames()
 LabelledCloud
 readScan(const std::string& path, const ScanOptions& options)
 {
+  require(setting::scale, options.scale);
+  require(setting::mesh_spacing, options.mesh_spacing);
   requireUseForTable(path, options.class_table);
   const Dataset* const dataset = datasetOf(path);
   if (!dataset && isFolder(path))
     refuseFolder(path);
-  LabelledCloud cloud = dataset ? dataset->read(path, options) : readCloud(path);
+  if (dataset && options.mesh_spacing > 0.0)
+    throw CIDException(path + ": is " + dataset->scan +
+                       "; only a mesh has a use for a spacing");
+  LabelledCloud cloud =
+      dataset ? dataset->read(path, options) : readFile(path, options);
+  cloud.scale = options.scale;
   for (const std::string& remark : cloud.remarks)
     if (options.remark)
       options.remark(path + ": " + remark);
@@ -145,7 +178,7 @@ scanName(const std::string& path)
 {
   if (const Dataset* const dataset = datasetOf(path))
     return dataset->scan_name(path);
-  const fs::path name = lastName(path);
+  const fs::path name = lastName(withoutGzip(path));
   return (isFolder(path) ? name : name.stem()).string();
 }
 

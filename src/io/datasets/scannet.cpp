@@ -8,6 +8,7 @@
  */
 
 #include "base/sentence.h"
+#include "ply/ply_format.h"
 #include "scannet_classes.h"
 #include "scannet_names.h"
 #include "text/json_reading.h"
@@ -16,6 +17,7 @@
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/scannet.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <unordered_map>
@@ -303,6 +305,10 @@ readScannetScan(const std::string& folder,
 {
   const ScannetFiles files = findScannetFiles(folder, class_table);
   LabelledCloud cloud = readCloud(files.mesh);
+  // ScanNet annotates the vertices: here they are the points.
+  cloud.remarks.erase(
+      std::remove(cloud.remarks.begin(), cloud.remarks.end(), ply_is_mesh),
+      cloud.remarks.end());
   cloud.name = folder;
   cloud.layout = CloudLayout();
   if (files.segments.empty() && files.aggregation.empty()) {

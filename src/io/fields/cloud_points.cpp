@@ -55,7 +55,7 @@ public:
   : cloud_(cloud)
   , coordinates_(cloud)
   , datatype_(coordinates_.datatype())
-  , sensor_(cloud.sensor_origin.head<3>().cast<double>())
+  , sensor_(cloud.scale * cloud.sensor_origin.head<3>().cast<double>())
   , options_(options)
   {
   }
@@ -69,7 +69,7 @@ public:
       dropNoReturns(sensor_, at_sensor_);
     }
     CloudPoints result;
-    const bool is_coarse = stepOf(datatype_, largest_) > largest_step;
+    const bool is_coarse = step(largest_) > largest_step;
     if (finite_ > 0 && (is_coarse || exceedsFloat(datatype_))) {
       const Eigen::AlignedBox3d bulk = boxOfBulk();
       remarkOnStep(bulk);
@@ -196,12 +196,19 @@ private:
     return {middle, size > 0.0 ? size : 1.0};
   }
 
+  /** How far apart two neighboring coordinates of some size are. */
+  double
+  step(double size) const
+  {
+    return cloud_.scale * stepOf(datatype_, size / cloud_.scale);
+  }
+
   void
   remarkOnStep(const Eigen::AlignedBox3d& bulk) const
   {
     const double largest =
         std::max(bulk.min().cwiseAbs().maxCoeff(), bulk.max().cwiseAbs().maxCoeff());
-    const double step = stepOf(datatype_, largest);
+    const double step = this->step(largest);
     if (step > largest_step)
       remark(sentence("its coordinates come in steps of ",
                       step,
@@ -277,7 +284,7 @@ FileCoordinates::operator[](std::size_t point) const
     default:
       p[axis] = toDouble(bytes + fields_[axis].offset, fields_[axis].datatype);
     }
-  return p;
+  return cloud_->scale * p;
 }
 
 std::uint8_t

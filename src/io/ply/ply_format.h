@@ -18,6 +18,11 @@
 
 namespace pcl_cid {
 
+/** \brief The remark on a PLY with faces. */
+constexpr const char* ply_is_mesh =
+    "is a mesh, of which the vertices are taken as points; a spacing (--mesh-spacing) "
+    "lays points over its faces";
+
 /** \brief The row of PLY in the table of cloud formats. */
 CloudFormat
 plyFormat();

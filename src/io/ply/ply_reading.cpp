@@ -125,7 +125,7 @@ public:
       else if (element.name == "camera" && element.count == 1)
         readCamera(element);
       else
-        rows_.pass(element);
+        passOver(element);
     rows_.requireEnd();
     for (const VertexList& list : lists_)
       addList(points.properties[list.property], list);
@@ -240,6 +240,14 @@ private:
                    lists_[static_cast<std::size_t>(target.list)].take(
                        values, count, sizes[i]);
                });
+  }
+
+  void
+  passOver(const PLYElement& element)
+  {
+    rows_.pass(element);
+    if (element.name == "face" && element.count > 0)
+      cloud_.remarks.push_back(ply_is_mesh);
   }
 
   void

@@ -44,7 +44,7 @@ TEST(CloudFormats, SayWhichExtensionsThereAre)
   EXPECT_EQ(writableCloudExtensions().at(0), ".pcd");
   ASSERT_NE(findCloudFormat("no such/file.PLY"), nullptr);
   EXPECT_EQ(findCloudFormat("file.PLY")->name, "PLY");
-  for (const char* const path : {"", "pcd", ".pcd", "a.pc", "a.pcd.txt"})
+  for (const char* const path : {"", "pcd", ".pcd", "a.pc", "a.pcd.doc"})
     EXPECT_EQ(findCloudFormat(path), nullptr) << path;
 }
 

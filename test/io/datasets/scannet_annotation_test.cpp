@@ -29,7 +29,7 @@ using Strings = std::vector<std::string>;
 using Labels = std::vector<std::uint32_t>;
 using Json = nlohmann::json;
 
-constexpr const char* id = "scene0042_01";
+constexpr const char* scan_id = "scene0042_01";
 
 class ScannetAnnotation : public testing::Test {
 protected:
@@ -46,7 +46,7 @@ protected:
         const std::string& table = "")
   {
     OutputFiles outputs({});
-    writeScannetAnnotation(scan, group, {folder_.file("."), id, table}, outputs);
+    writeScannetAnnotation(scan, group, {folder_.file("."), scan_id, table}, outputs);
     outputs.commit();
   }
 
@@ -54,7 +54,7 @@ protected:
   writeAndRead(const LabelledInstances& scan, const pcl::Indices& group = {})
   {
     write(scan, group);
-    return readByPython({"scannet", folder_.file("."), id});
+    return readByPython({"scannet", folder_.file("."), scan_id});
   }
 
   std::string
@@ -105,7 +105,7 @@ TEST_F(ScannetAnnotation, IsReadBackPointByPoint)
   LabelledCloud mesh;
   for (const char* const axis : {"x", "y", "z"})
     appendField(axis, coordinates, mesh.fields);
-  saveCloud(folder_.file(id + std::string("_vh_clean_2.ply")), mesh, ply_binary);
+  saveCloud(folder_.file(scan_id + std::string("_vh_clean_2.ply")), mesh, ply_binary);
 
   Strings remarks;
   const LabelledCloud back =
@@ -124,7 +124,7 @@ TEST_F(ScannetAnnotation, IsReadBackPointByPoint)
     EXPECT_EQ(semantic[i],
               place == 0 ? 0 : number.at(scan.instances[place - 1].class_name));
   }
-  EXPECT_EQ(readByPython({"scannet", folder_.file("."), id})["instance"], label);
+  EXPECT_EQ(readByPython({"scannet", folder_.file("."), scan_id})["instance"], label);
 }
 
 TEST_F(ScannetAnnotation, MayHaveNoPointAndNoInstance)
@@ -179,10 +179,10 @@ TEST_F(ScannetAnnotation, IsAPredictionToo)
 
   const std::string results = folder_.file("results");
   OutputFiles outputs({});
-  announceScannetSubmission(results, id, outputs);
+  announceScannetSubmission(results, scan_id, outputs);
   writeText(results + "/pred_mask/scene0042_01_007.txt", "of an earlier run");
   writeText(results + "/pred_mask/scene0001_01_007.txt", "of another scan");
-  writeScannetSubmission(results, id, scan.label, ofBenchmarkClasses(all), outputs);
+  writeScannetSubmission(results, scan_id, scan.label, ofBenchmarkClasses(all), outputs);
   outputs.commit();
   EXPECT_EQ(readText(results + "/scene0042_01.txt"),
             "pred_mask/scene0042_01_000.txt 6 1\npred_mask/scene0042_01_001.txt 5 1\n");

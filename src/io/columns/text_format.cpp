@@ -1,0 +1,317 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Reading text: a line of numbers for each point, and perhaps names of the columns.
+ */
+
+#include "base/sentence.h"
+#include "column_formats.h"
+#include "point_columns.h"
+#include "text/file_reading.h"
+#include "text/numbers.h"
+#include "text/opened_file.h"
+#include "text/path_names.h"
+#include "text/words.h"
+#include "text_layout.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pcl_cid {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+bool
+isBlankLine(std::string_view line)
+{
+  return line.find_first_not_of(usual_blanks) == std::string_view::npos;
+}
+
+/** What follows "#" or "//"; none for a line that is no comment. */
+std::optional<std::string_view>
+commentOf(std::string_view line)
+{
+  line.remove_prefix(std::min(line.find_first_not_of(usual_blanks), line.size()));
+  for (const std::string_view mark : {"#", "//"})
+    if (line.substr(0, mark.size()) == mark)
+      return line.substr(std::min(line.find_first_not_of("#/"), line.size()));
+  return std::nullopt;
+}
+
+/** A number, by the layout of its line. An empty cell is none, as NaN is. */
+std::optional<double>
+numberOf(std::string_view cell, const TextLayout& layout)
+{
+  if (cell.empty())
+    return not_a_number;
+  if (!layout.has_decimal_comma)
+    return parseLoosely<double>(cell);
+  std::string text(cell);
+  std::replace(text.begin(), text.end(), ',', '.');
+  return parseLoosely<double>(text);
+}
+
+/** A column of the file. */
+struct TextColumn {
+  std::string name;        ///< as of a field; empty: it has none
+  bool has_numbers = true; ///< else it is passed over
+};
+
+/** Reads one file; each member function is one part of it. */
+class TextReading {
+public:
+  TextReading(std::istream& stream, LabelledCloud& cloud)
+  : stream_(stream), line_end_(lineEndOf(stream)), cloud_(cloud)
+  {
+    passByteOrderMark(stream);
+  }
+
+  void
+  read()
+  {
+    readHead();
+    do
+      takeLine();
+    while (nextLine());
+    requireCount();
+    setFields(pointColumns(), cloud_);
+  }
+
+private:
+  template <typename... Parts>
+  [[noreturn]] void
+  fail(const Parts&... parts) const
+  {
+    throw CIDException(sentence(cloud_.name, ": line ", line_number_, ": ", parts...));
+  }
+
+  bool
+  nextLine()
+  {
+    ++line_number_;
+    return static_cast<bool>(std::getline(stream_, line_, line_end_));
+  }
+
+  /** All up to the first point: comments, names of the columns, the number of points.
+   *  \post line_ holds the first point */
+  void
+  readHead()
+  {
+    std::string names;        // of the last line that may hold some
+    std::size_t names_at = 0; // that line; 0: it is a comment
+    while (nextLine()) {
+      if (line_.find('\0') != std::string::npos)
+        fail("holds bytes that are no text");
+      if (const auto comment = commentOf(line_))
+        names = *comment;
+      else if (isBlankLine(line_))
+        continue;
+      else if (const auto count = countIn(line_))
+        count_ = count;
+      else if (!isPoint(line_) && names_at == 0) {
+        names = line_;
+        names_at = line_number_;
+      }
+      else
+        return beginColumns(names, names_at);
+    }
+    throw CIDException(cloud_.name + ": holds no points; at least 1 is needed");
+  }
+
+  /** The number of points that follow, as a PTS has it: a whole number alone. */
+  static std::optional<std::uint64_t>
+  countIn(std::string_view line)
+  {
+    const std::string_view word = takeWord(line);
+    return takeWord(line).empty() ? parseNumber<std::uint64_t>(word) : std::nullopt;
+  }
+
+  /** Whether a line begins with a number, or with nothing where one may stand. */
+  static bool
+  isPoint(std::string_view line)
+  {
+    const TextLayout layout = layoutOf(line);
+    const std::optional<std::string_view> cell = takeCell(line, layout);
+    return cell && numberOf(*cell, layout);
+  }
+
+  /** \param[in] names a comment, or the line before the points
+   *  \param[in] names_at the number of that line; 0: it is a comment */
+  void
+  beginColumns(const std::string& names, std::size_t names_at)
+  {
+    layout_ = layoutOf(line_);
+    first_point_ = line_number_;
+    const std::vector<std::string> cells = cellsOf(line_, layout_);
+    columns_.resize(cells.size());
+    takeNames(names, names_at);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      columns_[k].has_numbers =
+          isNeeded(columns_[k].name) || numberOf(cells[k], layout_);
+    values_.resize(cells.size());
+  }
+
+  /** Whether a column cannot be passed over. */
+  static bool
+  isNeeded(const std::string& name)
+  {
+    return name.empty() || name == "x" || name == "y" || name == "z";
+  }
+
+  /** Names are laid out as the points, or in their own way. A comment need not hold
+   *  any. */
+  void
+  takeNames(const std::string& line, std::size_t names_at)
+  {
+    for (const TextLayout& layout : {layout_, layoutOf(line)}) {
+      std::vector<std::string> names;
+      for (const std::string& cell : cellsOf(line, layout))
+        names.push_back(fieldNameOf(cell));
+      if (names.size() != columns_.size() || !namesCoordinates(names))
+        continue;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        columns_[k].name =
+            names[k].empty() ? "column_" + std::to_string(k + 1) : names[k];
+      return;
+    }
+    if (names_at != 0)
+      throw CIDException(sentence(cloud_.name,
+                                  ": line ",
+                                  names_at,
+                                  ": '",
+                                  line.substr(0, 64),
+                                  "' is no point, and does not name the ",
+                                  countOf(columns_.size(), "column"),
+                                  " of line ",
+                                  line_number_,
+                                  " with x, y and z among them"));
+  }
+
+  void
+  takeLine()
+  {
+    if (commentOf(line_) || isBlankLine(line_))
+      return;
+    const auto more = count_ ? countIn(line_) : std::nullopt;
+    if (more) // a PTS of several scans
+      *count_ += *more;
+    else
+      takePoint(line_);
+  }
+
+  void
+  takePoint(std::string_view line)
+  {
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const std::optional<std::string_view> cell = takeCell(line, layout_);
+      if (!cell)
+        fail(countOf(k, "value"),
+             "; as on line ",
+             first_point_,
+             " there must be ",
+             columns_.size());
+      if (!columns_[k].has_numbers)
+        continue;
+      const std::optional<double> number = numberOf(*cell, layout_);
+      if (!number)
+        fail("'", cell->substr(0, 32), "' is no number", ofColumn(k));
+      values_[k].push_back(*number);
+    }
+    while (const std::optional<std::string_view> cell = takeCell(line, layout_))
+      if (!cell->empty()) // some programs end a line with a separator
+        fail("more than the ", columns_.size(), " values of line ", first_point_);
+    if (++points_ > most_points)
+      fail("more than ", most_points, " points are not possible");
+  }
+
+  std::string
+  ofColumn(std::size_t k) const
+  {
+    return sentence(" (column ",
+                    k + 1,
+                    columns_[k].name.empty() ? "" : ", " + columns_[k].name,
+                    ")");
+  }
+
+  void
+  requireCount() const
+  {
+    if (count_ && *count_ != points_)
+      throw CIDException(sentence(cloud_.name,
+                                  ": says that it holds ",
+                                  countOf(*count_, "point"),
+                                  ", but there are ",
+                                  points_));
+  }
+
+  PointColumns
+  pointColumns()
+  {
+    PointColumns columns;
+    std::vector<std::string> passed_over;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (!columns_[k].has_numbers) {
+        passed_over.push_back("'" + columns_[k].name + "'");
+        continue;
+      }
+      if (!columns_[k].name.empty())
+        columns.names.push_back(columns_[k].name);
+      columns.values.push_back(std::move(values_[k]));
+    }
+    if (!passed_over.empty())
+      cloud_.remarks.push_back("columns without numbers are passed over: " +
+                               listed(passed_over, "and"));
+    columns.are_of_pts = count_.has_value();
+    if (columns.names.empty() && columns.values.size() == 6 &&
+        extensionOf(withoutGzip(cloud_.name)) == ".xyzrgb")
+      columns.names = {"x", "y", "z", "red", "green", "blue"}; // of Open3D, 0 to 1
+    columns.width = static_cast<std::uint32_t>(points_);
+    cloud_.layout = {"text", CloudEncoding::ascii};
+    return columns;
+  }
+
+  std::istream& stream_;
+  const char line_end_;
+  LabelledCloud& cloud_;
+  std::string line_;
+  std::size_t line_number_ = 0;
+  std::size_t first_point_ = 0;        ///< its line
+  std::optional<std::uint64_t> count_; ///< of points, as the file says
+  TextLayout layout_;
+  std::vector<TextColumn> columns_;
+  std::vector<std::vector<double>> values_; ///< of each column
+  std::size_t points_ = 0;
+};
+
+void
+readText(std::istream& stream, std::uint64_t, LabelledCloud& cloud)
+{
+  TextReading(stream, cloud).read();
+}
+
+} // namespace
+
+CloudFormat
+textFormat()
+{
+  CloudFormat format;
+  format.name = "text";
+  format.extensions = {".xyz", ".xyzn", ".xyzrgb", ".txt", ".csv", ".pts", ".asc"};
+  format.is_of_scans_only = false;
+  format.read = readText;
+  return format;
+}
+
+} // namespace pcl_cid
