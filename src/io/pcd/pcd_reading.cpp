@@ -168,6 +168,10 @@ private:
     if (body_size_ < needed)
       failTruncated(needed);
     makeRoom();
+    if (file_step == cloud_.fields.point_step) { // no padding: as it is in the file
+      readBytes(reinterpret_cast<char*>(cloud_.fields.data.data()), needed);
+      return passPadding(needed);
+    }
     constexpr std::size_t block_bytes = 65536; // the system is asked once for many rows
     const std::size_t block = std::max<std::size_t>(1, block_bytes / file_step);
     std::vector<char> rows(file_step * std::min(block, cloud_.size()));
