@@ -12,6 +12,7 @@
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <memory>
@@ -38,8 +39,9 @@ struct Change;
  *  \endcode */
 class PCL_CID_IO_EXPORT OutputFiles {
 public:
-  /** \param[in] inputs files that must never be written over */
-  explicit OutputFiles(std::vector<std::string> inputs);
+  /** \param[in] inputs files that must never be written over, under whatever name they
+   *  have now */
+  explicit OutputFiles(const std::vector<std::string>& inputs);
 
   /** \brief Remove what was not committed. */
   ~OutputFiles();
@@ -67,6 +69,11 @@ public:
    *  \throws CIDException when it is an input */
   void
   announceRemoval(const std::string& path);
+
+  /** \brief The files that were announced, links resolved: what one run writes can be
+   *  told from what others do. Of a folder, those that were announced in it. */
+  std::vector<std::string>
+  files() const;
 
   /** \brief Write an output that was announced.
    *  \param[in] path as announced
@@ -107,6 +114,17 @@ private:
     std::string target; ///< the file that it names, links resolved
   };
 
+  /** A file that is never written over. */
+  struct Input {
+    std::string path; ///< as given
+    std::string file; ///< links resolved; empty: nobody can say
+    std::uint64_t device = 0;
+    std::uint64_t number = 0; ///< on the device; 0: it does not exist
+  };
+
+  static Input
+  inputAt(const std::string& path);
+
   void
   refuseInput(const std::string& path) const;
 
@@ -128,7 +146,7 @@ private:
   Output&
   find(const std::string& path);
 
-  std::vector<std::string> inputs_;
+  std::vector<Input> inputs_;
   std::vector<Output> outputs_;
   std::vector<std::string> made_folders_;
   std::vector<Removal> removals_;

@@ -22,6 +22,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace pcl_cid {
@@ -61,17 +62,6 @@ resolved(const std::string& path)
   }
 }
 
-/** Whether two names mean one file, also through links, hard links and "..". */
-bool
-areSame(const std::string& first, const std::string& second)
-{
-  std::error_code error;
-  if (fs::equivalent(first, second, error))
-    return true;
-  const fs::path file = fs::weakly_canonical(first, error);
-  return !error && file == fs::weakly_canonical(second, error) && !error;
-}
-
 void
 requireFolder(const std::string& path, const fs::path& folder)
 {
@@ -92,8 +82,11 @@ requireFileOrNothing(const std::string& path)
 
 } // namespace
 
-OutputFiles::OutputFiles(std::vector<std::string> inputs) : inputs_(std::move(inputs))
+OutputFiles::OutputFiles(const std::vector<std::string>& inputs)
 {
+  inputs_.reserve(inputs.size());
+  for (const std::string& input : inputs)
+    inputs_.push_back(inputAt(input));
 }
 
 OutputFiles::~OutputFiles()
@@ -167,6 +160,15 @@ OutputFiles::announceRemoval(const std::string& path)
   removals_.push_back({name.string(),
                        (fs::path(folder) / name.filename()).string(),
                        resolved(path).string()});
+}
+
+std::vector<std::string>
+OutputFiles::files() const
+{
+  std::vector<std::string> files;
+  for (const Output& output : outputs_)
+    files.push_back(output.target);
+  return files;
 }
 
 void
@@ -251,13 +253,32 @@ OutputFiles::changes()
   return all;
 }
 
+OutputFiles::Input
+OutputFiles::inputAt(const std::string& path)
+{
+  Input input{path, "", 0, 0};
+  std::error_code error;
+  input.file = fs::weakly_canonical(path, error).string();
+  struct stat status = {};
+  if (stat(path.c_str(), &status) == 0) {
+    input.device = status.st_dev;
+    input.number = status.st_ino;
+  }
+  return input;
+}
+
+/** Two names may mean one file also through links, hard links and "..". */
 void
 OutputFiles::refuseInput(const std::string& path) const
 {
-  for (const std::string& input : inputs_)
-    if (areSame(path, input))
-      throw CIDException(path + ": is the input " + input +
+  const Input output = inputAt(path);
+  for (const Input& input : inputs_) {
+    const bool is_same_file = input.number != 0 && input.number == output.number &&
+                              input.device == output.device;
+    if (is_same_file || (!output.file.empty() && input.file == output.file))
+      throw CIDException(path + ": is the input " + input.path +
                          ", which is never written over; choose another name");
+  }
 }
 
 bool
