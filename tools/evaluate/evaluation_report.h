@@ -11,6 +11,7 @@
 
 #include "class_table.h"
 #include "compared_scan.h"
+#include "run/failed_scans.h"
 
 #include <pcl_cid/core/evaluation.h>
 #include <pcl_cid/core/settings.h>
@@ -28,12 +29,6 @@ struct ScoredScan {
   ClassRule class_rule = ClassRule::same_label;
   std::vector<std::string> remarks;
   Evaluation evaluation;
-};
-
-/** \brief A scan that could not be scored. */
-struct FailedScan {
-  std::string name;
-  std::string error;
 };
 
 /** \brief What pcl_cid_evaluate found. */

@@ -10,17 +10,15 @@
 #include "evaluate_settings.h"
 #include "evaluation_report.h"
 #include "run/console.h"
-#include "run/interruption.h"
+#include "run/failed_scans.h"
 #include "run/run.h"
 #include "run/score_files.h"
 #include "run/words.h"
 #include "scan_pairs.h"
 #include "scoring.h"
 
-#include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/output_files.h>
 
-#include <cstdio>
 #include <iostream>
 #include <set>
 
@@ -33,22 +31,11 @@ using namespace pcl_cid::tools;
 void
 scoreAll(const std::vector<ScanPair>& pairs, Scoring& scoring)
 {
-  for (const ScanPair& pair : pairs) {
-    try {
-      scoring.add(pair);
-    }
-    catch (const Interrupted&) {
-      throw;
-    }
-    catch (const std::exception& error) { // want of memory, too, stops one scan only
-      if (pairs.size() == 1)
-        throw;
-      const char* const message = messageOf(error);
-      std::fflush(stdout);
-      std::fprintf(stderr, "%s: %s: %s\n", evaluate_tool, pair.name.c_str(), message);
-      scoring.addFailure(pair, message);
-    }
-  }
+  if (pairs.size() == 1)
+    return scoring.add(pairs.front());
+  for (const ScanPair& pair : pairs)
+    attempt(
+        evaluate_tool, pair.name, [&] { scoring.add(pair); }, scoring.failed());
 }
 
 std::string
@@ -93,20 +80,6 @@ print(const EvaluationReport& report,
   console.value("Mean IoU of the truth instances", shortNumber(report.pooled.mean_iou));
 }
 
-/** The end of a run in which scans failed. */
-void
-requireNoFailure(const EvaluationReport& report)
-{
-  if (report.failed.empty())
-    return;
-  std::string names;
-  for (const FailedScan& scan : report.failed)
-    names += (names.empty() ? "" : ", ") + scan.name;
-  throw CIDException(std::to_string(report.failed.size()) + " of " +
-                     std::to_string(report.failed.size() + report.scans.size()) +
-                     " scans could not be scored: " + names);
-}
-
 void
 evaluateAll(const EvaluateSettings& settings)
 {
@@ -120,7 +93,7 @@ evaluateAll(const EvaluateSettings& settings)
   const EvaluationReport& report = scoring.finish();
   print(report, settings, console);
   saveScores(settings, report, outputs);
-  requireNoFailure(report);
+  requireNoFailure(report.failed, pairs.size(), "scored", FailureList::names);
 }
 
 } // namespace

@@ -61,12 +61,6 @@ Scoring::add(const ScanPair& pair)
   console_.end(sizesOf(report_.scans.back()));
 }
 
-void
-Scoring::addFailure(const ScanPair& pair, const std::string& error)
-{
-  report_.failed.push_back({pair.name, error});
-}
-
 const EvaluationReport&
 Scoring::finish()
 {

@@ -13,6 +13,7 @@
 #include "evaluate_settings.h"
 #include "evaluation_report.h"
 #include "run/console.h"
+#include "run/failed_scans.h"
 
 #include <pcl_cid/core/instance_overlaps.h>
 
@@ -33,9 +34,12 @@ public:
   void
   add(const ScanPair& pair);
 
-  /** \brief Note down a pair that add() threw at. */
-  void
-  addFailure(const ScanPair& pair, const std::string& error);
+  /** \brief Pairs that add() threw at, to be noted down. */
+  std::vector<FailedScan>&
+  failed()
+  {
+    return report_.failed;
+  }
 
   /** \brief Score all scans together.
    *  \throws CIDException when there is none */

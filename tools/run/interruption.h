@@ -9,12 +9,19 @@
 
 #pragma once
 
-#include <exception>
+#include <stdexcept>
+#include <string>
 
 namespace pcl_cid::tools {
 
-/** \brief The run was asked to end. */
-class Interrupted : public std::exception {};
+/** \brief The run was asked to end; the message says what is left of it. */
+class Interrupted : public std::runtime_error {
+public:
+  explicit Interrupted(const std::string& left = "nothing was written")
+  : std::runtime_error(left)
+  {
+  }
+};
 
 /** \brief Let the first signal end the run in order, so that nothing is left behind; a
  *  second one kills it. A broken pipe or a full disk is a failed write, not the end of

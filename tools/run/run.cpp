@@ -26,8 +26,8 @@
 namespace pcl_cid::tools {
 namespace {
 
-/** Of the tool, as long as it has them. */
-OutputFiles* outputs_of_tool = nullptr;
+/** The last ones that the tool has, as long as it has any. */
+ToolOutputs* outputs_of_tool = nullptr;
 
 /** What follows the want of memory must not ask for any: hence no strings here. */
 int
@@ -39,9 +39,9 @@ fail(const char* tool, const char* message)
 }
 
 int
-failInterrupted(const char* tool)
+failInterrupted(const char* tool, const Interrupted& left)
 {
-  fail(tool, "interrupted; nothing was written");
+  fail(tool, ("interrupted; " + std::string(left.what())).c_str());
   return 128 + caughtSignal();
 }
 
@@ -64,7 +64,7 @@ endWithoutMemory()
 endAtOnce()
 {
   if (outputs_of_tool != nullptr)
-    outputs_of_tool->discard();
+    outputs_of_tool->discardAll();
   try {
     if (std::current_exception())
       throw;
@@ -83,20 +83,31 @@ endedByOthers()
 {
   if (outputs_of_tool == nullptr)
     return;
-  outputs_of_tool->discard();
+  outputs_of_tool->discardAll();
   endWithoutMemory();
 }
 
 } // namespace
 
-ToolOutputs::ToolOutputs(const std::vector<std::string>& inputs) : OutputFiles(inputs)
+ToolOutputs::ToolOutputs(const std::vector<std::string>& inputs)
+: OutputFiles(inputs), before_(outputs_of_tool)
 {
   outputs_of_tool = this;
 }
 
 ToolOutputs::~ToolOutputs()
 {
-  outputs_of_tool = nullptr;
+  ToolOutputs** place = &outputs_of_tool;
+  while (*place != this)
+    place = &(*place)->before_;
+  *place = before_;
+}
+
+void
+ToolOutputs::discardAll() noexcept
+{
+  for (ToolOutputs* outputs = this; outputs != nullptr; outputs = outputs->before_)
+    outputs->discard();
 }
 
 Run::Run(const std::string& tool, bool quiet, const std::vector<std::string>& inputs)
@@ -157,11 +168,11 @@ runTool(const char* tool, const std::function<void()>& work)
   catch (const UsageError& error) {
     return failUsage(tool, error);
   }
-  catch (const Interrupted&) {
-    return failInterrupted(tool);
+  catch (const Interrupted& left) {
+    return failInterrupted(tool, left);
   }
   catch (const CIDCancelled&) {
-    return failInterrupted(tool);
+    return failInterrupted(tool, Interrupted());
   }
   catch (const std::exception& error) {
     return fail(tool, messageOf(error));

@@ -22,12 +22,20 @@
 
 namespace pcl_cid::tools {
 
-/** \brief The outputs of a tool, which has them once. They are discarded also when the
- *  program must end at once, as when a destructor lacks memory. */
+/** \brief The outputs of a tool: its only ones, or made and gone while older ones are
+ *  there. They are discarded also when the program must end at once, as when a
+ *  destructor lacks memory. */
 class ToolOutputs : public OutputFiles {
 public:
   explicit ToolOutputs(const std::vector<std::string>& inputs);
   ~ToolOutputs();
+
+  /** \brief Discard these and the older ones. */
+  void
+  discardAll() noexcept;
+
+private:
+  ToolOutputs* before_;
 };
 
 /** \brief What the steps of a run share. */
