@@ -39,14 +39,6 @@ requireOneOf(const std::string& word,
                        tools::alternatives(words));
 }
 
-std::vector<std::string>
-withoutDots(std::vector<std::string> extensions)
-{
-  for (std::string& extension : extensions)
-    extension.erase(0, 1);
-  return extensions;
-}
-
 /** Ask for a scene beside the mesh. */
 void
 addScene(const std::string& option, const std::string& path, AbstractSettings& settings)
@@ -97,7 +89,7 @@ partMeshes()
   for (const MeshFormat& format : meshFormats())
     if (format.read)
       extensions.push_back(format.extensions.front());
-  return withoutDots(std::move(extensions));
+  return tools::withoutDots(std::move(extensions));
 }
 
 PartExporter::PartExporter(const tools::LoadedScan& scan,
@@ -127,7 +119,8 @@ PartExporter::settingsFor(const PartExport& wanted) const
   settings.scenes.primitives = wanted.primitives;
   requirePossible(settings.scenes);
   if (!wanted.labels.empty()) {
-    requireOneOf(wanted.labels, withoutDots(writableCloudExtensions()), "labels");
+    requireOneOf(
+        wanted.labels, tools::withoutDots(writableCloudExtensions()), "labels");
     settings.labels = path + "_labels." + wanted.labels;
   }
   if (wanted.report)

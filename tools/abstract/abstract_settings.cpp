@@ -9,6 +9,7 @@
 
 #include "abstract_settings.h"
 
+#include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
 #include "run/words.h"
@@ -118,7 +119,8 @@ requireFittingRule(const AbstractSettings& settings)
 void
 requireReader(const AbstractSettings& settings)
 {
-  const MeshFormat& format = meshFormatOf(settings.output);
+  const MeshFormat& format = meshFormatOf(
+      settings.output.empty() ? "scan." + settings.many.format : settings.output);
   if (settings.verify && !format.read)
     throw UsageError("--verify reads the meshes again, and there is no reader of " +
                      format.name + "; choose another format");
@@ -173,7 +175,10 @@ declareHullOptions(AbstractSettings& settings, CommandLine& line)
 bool
 readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
 {
-  CommandLine line(abstract_tool, "pcl_cid_abstract INPUT OUTPUT [options]", about);
+  CommandLine line(abstract_tool,
+                   "pcl_cid_abstract INPUT OUTPUT [options]\n"
+                   "pcl_cid_abstract SCAN... --output-dir DIR [options]",
+                   about);
   declareMergeOptions(settings, line);
   declareSessionParts(settings, line);
   declareHullOptions(settings, line);
@@ -183,16 +188,51 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
             "when one fails");
   declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);
+  settings.many.format = "obj";
+  declareManyScans(settings.many, "mesh-format", withoutDots(meshExtensions()), line);
   declareRunOptions(settings, line);
-  if (!line.parse(argc,
+  if (!parseScans(argc,
                   argv,
-                  {scanArgument("INPUT"), outputArgument("OUTPUT", meshExtensions())},
-                  {&settings.input, &settings.output}))
+                  outputArgument("OUTPUT", meshExtensions()),
+                  nameOptions(settings),
+                  settings,
+                  line))
     return false;
   requireReader(settings);
   requireFittingRule(settings);
   checkSceneOptions(settings.scenes);
   return true;
+}
+
+std::vector<NameOption>
+nameOptions(AbstractSettings& settings)
+{
+  std::vector<NameOption> options{{"viewpoints", &settings.viewpoints, true},
+                                  {"session", &settings.session},
+                                  {"labels", &settings.labels},
+                                  {"tree", &settings.tree},
+                                  {"curve", &settings.curve},
+                                  {"report", &settings.report},
+                                  {"parts-dir", &settings.scenes.parts_dir}};
+  for (SceneFile& scene : settings.scenes.files)
+    options.push_back({scene.format.option, &scene.path});
+  return options;
+}
+
+bool
+hasViewpointFile(const AbstractSettings& settings)
+{
+  return !settings.viewpoints.empty() && settings.viewpoints != "cloud";
+}
+
+std::vector<std::string>
+inputsOf(const AbstractSettings& settings)
+{
+  std::vector<std::string> inputs = inputFiles(settings);
+  if (hasViewpointFile(settings))
+    inputs.push_back(settings.viewpoints);
+  inputs.push_back(settings.session);
+  return inputs;
 }
 
 void

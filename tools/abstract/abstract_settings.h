@@ -70,6 +70,18 @@ declareHullOptions(AbstractSettings& settings, CommandLine& line);
 bool
 readCommandLine(int argc, const char* const* argv, AbstractSettings& settings);
 
+/** \brief The options that name files of each scan, of several. */
+std::vector<NameOption>
+nameOptions(AbstractSettings& settings);
+
+/** \brief Whether viewpoints are in a file. */
+bool
+hasViewpointFile(const AbstractSettings& settings);
+
+/** \brief All files that are read, which outputs must never be written over. */
+std::vector<std::string>
+inputsOf(const AbstractSettings& settings);
+
 /** \brief Announce all that will be written. */
 void
 announceOutputs(const AbstractSettings& settings, OutputFiles& outputs);

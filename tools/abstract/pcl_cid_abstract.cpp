@@ -12,6 +12,7 @@
 #include "part_outputs.h"
 #include "run/loaded_scan.h"
 #include "run/run.h"
+#include "run/scan_batch.h"
 #include "run/words.h"
 #include "session_parts.h"
 #include "simpler_bodies.h"
@@ -40,22 +41,6 @@ configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
   abstraction.setMinPoints(settings.min_points);
   abstraction.setHullOptions(settings.hullOptions());
   abstraction.setStopAtCut(settings.tree.empty() && settings.curve.empty());
-}
-
-bool
-hasViewpointFile(const AbstractSettings& settings)
-{
-  return !settings.viewpoints.empty() && settings.viewpoints != "cloud";
-}
-
-/** Files that must never be written over. */
-std::vector<std::string>
-inputsOf(const AbstractSettings& settings)
-{
-  std::vector<std::string> inputs = inputFiles(settings);
-  if (hasViewpointFile(settings))
-    inputs.push_back(settings.viewpoints);
-  return inputs;
 }
 
 /** Where the scan was taken from, in the frame of its points; none when nobody says.
@@ -193,7 +178,7 @@ abstract(const AbstractSettings& settings,
   return result;
 }
 
-void
+ScanFigures
 runAbstract(const AbstractSettings& settings)
 {
   Run run(abstract_tool, settings.quiet, inputsOf(settings));
@@ -205,6 +190,14 @@ runAbstract(const AbstractSettings& settings)
   requireOutputsCanHold(settings, scan, run);
   const AbstractedScan result = abstract(settings, scan, viewpoints, run);
   writeParts(settings, viewpoints, result, scan, run);
+  return figuresOf(run.report);
+}
+
+/** All that is done with one scan. */
+ScanFigures
+abstractScan(const AbstractSettings& settings)
+{
+  return settings.session.empty() ? runAbstract(settings) : writeSessionParts(settings);
 }
 
 } // namespace
@@ -216,9 +209,9 @@ main(int argc, char** argv)
     AbstractSettings settings;
     if (!readCommandLine(argc, argv, settings))
       return;
-    if (settings.session.empty())
-      runAbstract(settings);
+    if (settings.many.output_dir.empty())
+      abstractScan(settings);
     else
-      writeSessionParts(settings);
+      doEachScan(abstract_tool, "Abstracting", "abstracted", settings, abstractScan);
   });
 }

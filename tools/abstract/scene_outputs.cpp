@@ -41,10 +41,7 @@ optionsWith(bool SceneFormat::*property,
 std::vector<std::string>
 meshFormatWords()
 {
-  std::vector<std::string> words;
-  for (const std::string& extension : partMeshExtensions())
-    words.push_back(extension.substr(1));
-  return words;
+  return withoutDots(partMeshExtensions());
 }
 
 /** What the settings say; the origin is that of the file. */

@@ -134,14 +134,12 @@ abstractChosenParts(const AbstractSettings& settings,
   return abstracted;
 }
 
-void
+ScanFigures
 writeSessionParts(AbstractSettings settings)
 {
   const SessionRecord record = readSession(settings.session);
   useSettingsOf(record.settings, settings);
-  std::vector<std::string> inputs = inputFiles(settings);
-  inputs.push_back(settings.session);
-  Run run(abstract_tool, settings.quiet, inputs);
+  Run run(abstract_tool, settings.quiet, inputsOf(settings));
   announceOutputs(settings, run.outputs);
   const LoadedScan scan = loadScan(settings, run);
   requireScanOf(record, identityOf(scan.cloud), settings.session);
@@ -157,6 +155,7 @@ writeSessionParts(AbstractSettings settings)
 
   const AbstractedScan abstracted = abstractChosenParts(settings, session, scan, run);
   writeParts(settings, {}, abstracted, scan, run);
+  return figuresOf(run.report);
 }
 
 } // namespace pcl_cid::tools

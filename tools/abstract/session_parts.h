@@ -12,6 +12,7 @@
 #include "abstract_settings.h"
 #include "abstracted_scan.h"
 #include "run/loaded_scan.h"
+#include "run/scan_summary.h"
 
 #include <pcl_cid/core/part_session.h>
 
@@ -29,7 +30,7 @@ abstractChosenParts(const AbstractSettings& settings,
 
 /** \brief All of pcl_cid_abstract for the parts that were chosen in a session.
  *  \throws CIDException, Interrupted */
-void
+ScanFigures
 writeSessionParts(AbstractSettings settings);
 
 } // namespace pcl_cid::tools

@@ -288,14 +288,45 @@ CommandLine::parse(int argc,
   std::vector<std::string> given;
   if (!read(argc, argv, given))
     return false;
+  takeFiles(given, targets);
+  return true;
+}
+
+bool
+CommandLine::parseEither(int argc,
+                         const char* const* argv,
+                         const std::vector<FileArgument>& files,
+                         const std::vector<std::string*>& targets,
+                         const std::string& list_option,
+                         std::vector<std::string>& list)
+{
+  tool_.files = files;
+  tool_.list_option = list_option;
+  std::vector<std::string> given;
+  if (!read(argc, argv, given))
+    return false;
+  if (std::count(given_.begin(), given_.end(), list_option) > 0)
+    list = given;
+  else
+    takeFiles(given, targets);
+  return true;
+}
+
+void
+CommandLine::takeFiles(const std::vector<std::string>& given,
+                       const std::vector<std::string*>& targets) const
+{
+  const std::vector<FileArgument>& files = tool_.files;
   if (given.size() != files.size())
-    throw UsageError(needOf(files) + "; given: " + std::to_string(given.size()));
+    throw UsageError(needOf(files) + "; given: " + std::to_string(given.size()) +
+                     (given.size() > files.size() && !tool_.list_option.empty()
+                          ? "; several scans need --" + tool_.list_option
+                          : ""));
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].is_checked)
       requireExtension(files[i].name, given[i], files[i].extensions);
     *targets[i] = given[i];
   }
-  return true;
 }
 
 bool
@@ -361,8 +392,11 @@ CommandLine::read(int argc, const char* const* argv, std::vector<std::string>& g
     throw UsageError(error.what());
   }
   // Flags that are not given have a value, too.
+  for (const auto& [name, value] : values)
+    if (!value.defaulted())
+      given_.push_back(name);
   checkCombinations([&](const std::string& name) {
-    return values.count(name) != 0 && !values[name].defaulted();
+    return std::count(given_.begin(), given_.end(), name) > 0;
   });
   return true;
 }

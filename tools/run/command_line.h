@@ -198,6 +198,17 @@ public:
         const std::vector<FileArgument>& files,
         const std::vector<std::string*>& targets);
 
+  /** \brief The same, or any number of files of the first kind where an option is
+   * given. \param[in] list_option without dashes \param[out] list set instead of the
+   * targets where it is given */
+  bool
+  parseEither(int argc,
+              const char* const* argv,
+              const std::vector<FileArgument>& files,
+              const std::vector<std::string*>& targets,
+              const std::string& list_option,
+              std::vector<std::string>& list);
+
   /** \brief The same for any number of files of one kind, at least one. */
   bool
   parseList(int argc,
@@ -207,6 +218,10 @@ public:
 
 private:
   using Take = std::function<void(const std::string&)>;
+
+  void
+  takeFiles(const std::vector<std::string>& given,
+            const std::vector<std::string*>& targets) const;
 
   bool
   read(int argc, const char* const* argv, std::vector<std::string>& given);
@@ -285,6 +300,7 @@ private:
 
   ToolDescription tool_;
   std::vector<std::function<void()>> set_paper_; ///< for each row that has `in_paper`
+  std::vector<std::string> given_; ///< names of the options that are given
   std::vector<std::pair<std::string, std::string>> exclusive_;
   std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;
 };

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "command_line.h"
+#include "many_scans.h"
 #include "raw_scan_options.h"
 
 #include <pcl_cid/cid_parameters.h>
@@ -56,6 +57,7 @@ struct Settings {
   double mesh_spacing = setting::mesh_spacing.initial;
   bool keep_zeros = false;
   bool quiet = false;
+  ManyScans many;
 
   /** \brief K: without `--seeds`, what `--coverage` needs, else the default. */
   int

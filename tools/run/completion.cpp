@@ -9,6 +9,7 @@
 
 #include "completion.h"
 
+#include <algorithm>
 #include <cctype>
 #include <ostream>
 
@@ -124,6 +125,25 @@ writeOptionNames(std::ostream& stream, const ToolDescription& tool)
          << "  fi\n";
 }
 
+/** What may stand first, second, ...; the last one may be repeated. Where it is not
+ * said yet whether files are a list, a later one may be as the first one, too. */
+std::vector<FileArgument>
+filePlaces(const ToolDescription& tool)
+{
+  std::vector<FileArgument> places = tool.files;
+  if (tool.list_option.empty())
+    return places;
+  const FileArgument& first = tool.files.front();
+  for (std::size_t k = 1; k < places.size(); ++k)
+    for (const std::string& extension : first.extensions)
+      if (std::find(places[k].extensions.begin(),
+                    places[k].extensions.end(),
+                    extension) == places[k].extensions.end())
+        places[k].extensions.push_back(extension);
+  places.push_back(first);
+  return places;
+}
+
 /** How many files stand before the word says which of them it is. */
 void
 writeFileNames(std::ostream& stream, const ToolDescription& tool)
@@ -141,11 +161,15 @@ writeFileNames(std::ostream& stream, const ToolDescription& tool)
          << "      -*) ;;\n"
          << "      *) ((++files)) ;;\n"
          << "    esac\n"
-         << "  done\n"
-         << "  case $files in\n";
-  for (std::size_t k = 0; k < tool.files.size(); ++k)
-    stream << "    " << (k + 1 < tool.files.size() ? std::to_string(k) : "*") << ") "
-           << replyOf(candidatesFor(tool.files[k])) << " ;;\n";
+         << "  done\n";
+  if (!tool.list_option.empty())
+    stream << "  [[ \" ${COMP_WORDS[*]} \" == *\" --" << tool.list_option
+           << " \"* ]] && files=0\n";
+  stream << "  case $files in\n";
+  const std::vector<FileArgument> places = filePlaces(tool);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    stream << "    " << (k + 1 < places.size() ? std::to_string(k) : "*") << ") "
+           << replyOf(candidatesFor(places[k])) << " ;;\n";
   stream << "  esac\n";
 }
 

@@ -9,6 +9,7 @@
 
 #include "console.h"
 
+#include "failed_scans.h"
 #include "interruption.h"
 
 #include <pcl_cid/exceptions.h>
@@ -54,6 +55,17 @@ Console::Console(bool quiet)
     pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
 }
 
+Console::~Console()
+{
+  eraseBar();
+}
+
+void
+Console::beBriefOn(const std::string& scan)
+{
+  brief_on_ = scan;
+}
+
 void
 Console::begin(const std::string& step)
 {
@@ -69,7 +81,7 @@ Console::end(const std::string& result)
   eraseBar();
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - begun_;
-  if (quiet_)
+  if (quiet_ || !brief_on_.empty())
     return seconds.count();
   pcl::console::print_highlight("%s ", step_.c_str());
   pcl::console::print_info("[done, ");
@@ -84,14 +96,17 @@ Console::end(const std::string& result)
 void
 Console::remark(const std::string& sentence) const
 {
-  if (!quiet_)
-    pcl::console::print_warn("%s\n", sentence.c_str());
+  if (quiet_)
+    return;
+  const std::string text =
+      brief_on_.empty() ? sentence : aboutScan(brief_on_, sentence);
+  pcl::console::print_warn("%s\n", text.c_str());
 }
 
 void
 Console::value(const std::string& name, const std::string& value) const
 {
-  if (quiet_)
+  if (quiet_ || !brief_on_.empty())
     return;
   pcl::console::print_info("%s: ", name.c_str());
   pcl::console::print_value("%s\n", value.c_str());

@@ -30,10 +30,16 @@ requirePrinted();
 class Console {
 public:
   explicit Console(bool quiet);
+  ~Console();
   // The callback of progress() refers to it.
   Console(const Console&) = delete;
   Console&
   operator=(const Console&) = delete;
+
+  /** \brief Tell nothing from now on but remarks, which begin with the name of the
+   *  scan, and how far a step is: of several scans, each has one line. */
+  void
+  beBriefOn(const std::string& scan);
 
   /** \brief Begin a step of the run.
    *  \throws Interrupted */
@@ -68,6 +74,7 @@ private:
   eraseBar();
 
   bool quiet_;
+  std::string brief_on_; ///< the scan; empty: all is told
   bool has_terminal_;
   bool bar_drawn_ = false;
   std::string step_;

@@ -21,7 +21,10 @@ namespace pcl_cid::tools {
 std::vector<std::string>
 inputFiles(const Settings& settings)
 {
-  return scanFiles(settings.input, settings.class_table);
+  std::vector<std::string> files = scanFiles(settings.input, settings.class_table);
+  const std::vector<std::string>& others = settings.many.inputs;
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
 }
 
 namespace {
@@ -47,6 +50,8 @@ remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
 LoadedScan
 loadScan(const Settings& settings, Run& run)
 {
+  if (!settings.many.output_dir.empty())
+    run.console.beBriefOn(settings.input);
   run.begin("Loading " + settings.input);
   LoadedScan scan;
   scan.cloud = readScan(

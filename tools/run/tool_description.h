@@ -56,6 +56,8 @@ struct ToolDescription {
   std::vector<OptionGroup> groups;
   std::vector<FileArgument>
       files; ///< the last one may be repeated where the usage says
+  /** The option with which all files are as the first one; empty: there is none. */
+  std::string list_option;
 };
 
 } // namespace pcl_cid::tools

@@ -33,6 +33,14 @@ alternatives(const std::vector<std::string>& words)
   return text;
 }
 
+std::vector<std::string>
+withoutDots(std::vector<std::string> extensions)
+{
+  for (std::string& extension : extensions)
+    extension.erase(0, 1);
+  return extensions;
+}
+
 std::string
 shortNumber(double value)
 {

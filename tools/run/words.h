@@ -18,6 +18,10 @@ namespace pcl_cid::tools {
 std::string
 alternatives(const std::vector<std::string>& words);
 
+/** \brief ".pcd" -> "pcd". */
+std::vector<std::string>
+withoutDots(std::vector<std::string> extensions);
+
 /** \brief A number for the user, with 4 digits. */
 std::string
 shortNumber(double value);

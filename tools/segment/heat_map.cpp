@@ -108,7 +108,7 @@ declareHeatMapOption(std::optional<int>& cid_from, CommandLine& line)
   line.exclude(name, rawScanOptionNames());
 }
 
-void
+ScanFigures
 writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
 {
   Run run(tool, settings.quiet, inputFiles(settings));
@@ -127,6 +127,7 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
   writeScan(settings.output, scan.cloud, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
   run.finish(settings.report);
+  return figuresOf(run.report);
 }
 
 } // namespace pcl_cid::tools

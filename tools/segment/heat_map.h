@@ -10,6 +10,7 @@
 #pragma once
 
 #include "run/common_settings.h"
+#include "run/scan_summary.h"
 
 #include <optional>
 #include <string>
@@ -25,7 +26,7 @@ declareHeatMapOption(std::optional<int>& cid_from, CommandLine& line);
  *  \param[in] tool for the report
  *  \param[in] cid_from index of the point
  *  \throws CIDException when there is no such point or it is not finite */
-void
+ScanFigures
 writeHeatMap(const std::string& tool, const Settings& settings, int cid_from);
 
 } // namespace pcl_cid::tools

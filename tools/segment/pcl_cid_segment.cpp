@@ -10,6 +10,7 @@
 #include "heat_map.h"
 #include "run/loaded_scan.h"
 #include "run/run.h"
+#include "run/scan_batch.h"
 #include "run/words.h"
 #include "scannet_outputs.h"
 #include "segment_settings.h"
@@ -136,7 +137,7 @@ save(const SegmentSettings& settings,
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
 }
 
-void
+ScanFigures
 segment(const SegmentSettings& settings)
 {
   Run run(segment_tool, settings.quiet, inputsOf(settings));
@@ -148,6 +149,18 @@ segment(const SegmentSettings& settings)
   describe(settings, scan, result, run);
   save(settings, result, scan, run);
   run.finish(settings.report);
+  return figuresOf(run.report);
+}
+
+/** All that is done with one scan. */
+ScanFigures
+segmentScan(const SegmentSettings& settings)
+{
+  if (settings.cid_from)
+    return writeHeatMap(segment_tool, settings, *settings.cid_from);
+  if (!settings.session.empty())
+    return writeSessionLabels(segment_tool, settings);
+  return segment(settings);
 }
 
 } // namespace
@@ -159,11 +172,9 @@ main(int argc, char** argv)
     SegmentSettings settings;
     if (!readCommandLine(argc, argv, settings))
       return;
-    if (settings.cid_from)
-      writeHeatMap(segment_tool, settings, *settings.cid_from);
-    else if (!settings.session.empty())
-      writeSessionLabels(segment_tool, settings);
+    if (settings.many.output_dir.empty())
+      segmentScan(settings);
     else
-      segment(settings);
+      doEachScan(segment_tool, "Segmenting", "segmented", settings, segmentScan);
   });
 }

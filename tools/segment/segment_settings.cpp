@@ -13,6 +13,7 @@
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
+#include "run/words.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/cloud_formats.h>
@@ -62,11 +63,17 @@ declareLabelOptions(SegmentSettings& settings, CommandLine& line)
 bool
 readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
 {
-  CommandLine line(segment_tool, "pcl_cid_segment INPUT OUTPUT [options]", about);
+  CommandLine line(segment_tool,
+                   "pcl_cid_segment INPUT OUTPUT [options]\n"
+                   "pcl_cid_segment SCAN... --output-dir DIR [options]",
+                   about);
   declareLabelOptions(settings, line);
   declareHeatMapOption(settings.cid_from, line);
   declareScannetOptions(settings.scannet, line);
   declareSeedOptions(settings, line);
+  std::vector<std::string> formats = withoutDots(writableCloudExtensions());
+  formats.insert(formats.begin(), settings.many.format = same_format);
+  declareManyScans(settings.many, "cloud-format", formats, line);
   declareRunOptions(settings, line);
   line.exclude("labels",
                {"labels-from",
@@ -75,14 +82,26 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
                 optionName(setting::coverage),
                 optionName(setting::start_index),
                 optionName(setting::seeding)});
-  if (!line.parse(
-          argc,
-          argv,
-          {scanArgument("INPUT"), outputArgument("OUTPUT", writableCloudExtensions())},
-          {&settings.input, &settings.output}))
+  if (!parseScans(argc,
+                  argv,
+                  outputArgument("OUTPUT", writableCloudExtensions()),
+                  nameOptions(settings),
+                  settings,
+                  line))
     return false;
   checkScannetOptions(settings.scannet, settings.labels_from);
   return true;
+}
+
+std::vector<NameOption>
+nameOptions(SegmentSettings& settings)
+{
+  return {{"labels", &settings.labels},
+          {"propose", &settings.propose},
+          {"session", &settings.session},
+          {"report", &settings.report},
+          {"superpoints", &settings.scannet.superpoints},
+          {"scannet-submission", &settings.scannet.submission, true}};
 }
 
 std::vector<std::string>

@@ -39,6 +39,10 @@ struct SegmentSettings : Settings {
 bool
 readCommandLine(int argc, const char* const* argv, SegmentSettings& settings);
 
+/** \brief The options that name files of each scan, of several. */
+std::vector<NameOption>
+nameOptions(SegmentSettings& settings);
+
 /** \brief All files that are read, which outputs must never be written over. */
 std::vector<std::string>
 inputsOf(const SegmentSettings& settings);

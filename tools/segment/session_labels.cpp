@@ -30,7 +30,7 @@ describe(const SegmentSettings& settings, const LabelSession& session, Report& r
 
 } // namespace
 
-void
+ScanFigures
 writeSessionLabels(const std::string& tool, SegmentSettings settings)
 {
   const SessionRecord record = readSession(settings.session);
@@ -59,6 +59,7 @@ writeSessionLabels(const std::string& tool, SegmentSettings settings)
   writeScan(settings.output, scan.cloud, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
   run.finish(settings.report);
+  return figuresOf(run.report);
 }
 
 } // namespace pcl_cid::tools

@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include "run/scan_summary.h"
+
 #include <string>
 
 namespace pcl_cid::tools {
@@ -17,7 +19,7 @@ struct SegmentSettings;
 
 /** \brief Do again what a session says, and write the labels that it leads to.
  *  \throws CIDException, Interrupted */
-void
+ScanFigures
 writeSessionLabels(const std::string& tool, SegmentSettings settings);
 
 } // namespace pcl_cid::tools
