@@ -175,7 +175,7 @@ def bash_completes(packages):
     assert offers("pcl_cid_segment", "--density", "") == ["auto", "off", "on"]
     assert offers("pcl_cid_segment", "--seeds", "") == [""]
     assert offers("pcl_cid_segment", "a.pcd", "--lab") == ["--label-type", "--labels", "--labels-from"]
-    assert offers("pcl_cid_abstract", "a.pcd", "") == ["b.PLY", "hulls.obj", "more scans"]
+    assert offers("pcl_cid_abstract", "a.pcd", "") == ["a room.pcd", "b.PLY", "hulls.obj", "more scans"]
     # An option's value is no file.
     assert "hulls.obj" in offers("pcl_cid_abstract", "--parts", "5", "a.pcd", "")
     assert "hulls.obj" not in offers("pcl_cid_abstract", "--parts", "5", "")

@@ -123,6 +123,26 @@ TEST_F(SessionParts, AreThoseThatWereChosen)
   }
 }
 
+TEST_F(SessionParts, AreThoseOfEachOfSeveralScans)
+{
+  record({part_action::Decompose{24}, part_action::Cut{6}});
+  std::filesystem::copy_file(scan_, file("copy.pcd"));
+  std::filesystem::copy_file(session_, file("copy.session"));
+  const ToolRun done = run("pcl_cid_abstract",
+                           {scan_,
+                            file("copy.pcd"),
+                            "--output-dir",
+                            file("many"),
+                            "--mesh-format",
+                            "ply",
+                            "--session",
+                            file("{}.session")});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  ASSERT_EQ(runWith({}).exit_code, 0);
+  EXPECT_EQ(readText(file("many/scan.ply")), readText(file("hulls.ply")));
+  EXPECT_EQ(readText(file("many/copy.ply")), readText(file("hulls.ply")));
+}
+
 TEST_F(SessionParts, ExactHullsAreNotSimplified)
 {
   const auto partsWith = [&](const std::vector<std::string>& options) {

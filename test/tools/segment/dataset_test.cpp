@@ -212,6 +212,32 @@ TEST_F(DatasetFolders, GiveASubmissionToTheBenchmark)
   EXPECT_GT(found.size(), 1u);
 }
 
+TEST_F(DatasetFolders, OfSeveralScansGiveOutputsByTheirNames)
+{
+  const std::string room = writeS3DISRoom(file("."), room_);
+  const std::string scan = scannetScan();
+  fs::copy(scan, file("copy"));
+  const Arguments options{"--output-dir", file("out"), "--labels-from", "label"};
+  Arguments both{room + "/", scan};
+  both.insert(both.end(), options.begin(), options.end());
+  const ToolRun done = segment(both);
+  EXPECT_EQ(linesOf(done.out), 2u) << done.out;
+  segment({scan, file("alone.pcd"), "--labels-from", "label"});
+  EXPECT_EQ(readText(file("out/scene0000_00.pcd")), readText(file("alone.pcd")));
+  EXPECT_TRUE(fs::exists(file("out/office_1.pcd")));
+
+  Arguments submitting{scan};
+  submitting.insert(submitting.end(), options.begin(), options.end());
+  submitting.insert(submitting.end(), {"--scannet-submission", file("submission")});
+  segment(submitting);
+  EXPECT_TRUE(fs::exists(file("submission/scene0000_00.txt")));
+  submitting.insert(submitting.begin(), room);
+  expectRefused(submitting, 1, room + ": is no scan of ScanNet");
+  Arguments twice{scan, file("copy")};
+  twice.insert(twice.end(), options.begin(), options.end());
+  expectRefused(twice, 2, "same name, 'scene0000_00'");
+}
+
 TEST_F(DatasetFolders, GiveNoSubmissionWithoutClasses)
 {
   const std::string room = writeS3DISRoom(file("."), room_);

@@ -14,6 +14,7 @@
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/session_file.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -69,6 +70,22 @@ TEST_F(SessionLabels, AreThoseThatTheSessionHad)
   const auto report = nlohmann::json::parse(readText(file("r.json")));
   EXPECT_EQ(report.at("parameters").at("normals"), 0.05);
   EXPECT_EQ(report.at("parameters").at("session"), session_);
+}
+
+TEST_F(SessionLabels, AreThoseOfEachOfSeveralScans)
+{
+  std::filesystem::copy_file(scan_, file("copy.pcd"));
+  std::filesystem::copy_file(session_, file("copy.session"));
+  const ToolRun done = run("pcl_cid_segment",
+                           {scan_,
+                            file("copy.pcd"),
+                            "--output-dir",
+                            file("many"),
+                            "--session",
+                            file("{}.session")});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(labelsIn(file("many/scan.pcd")), labels_);
+  EXPECT_EQ(labelsIn(file("many/copy.pcd")), labels_);
 }
 
 TEST_F(SessionLabels, AreRefusedWhereTheyDoNotBelong)
