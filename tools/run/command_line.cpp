@@ -15,12 +15,11 @@
 #include "words.h"
 
 #include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/output_files.h>
 #include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/version.h>
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <iostream>
 
 #include <boost/algorithm/string/join.hpp>
@@ -42,16 +41,6 @@ isThere(int argc, const char* const* argv, const std::vector<std::string>& names
       if (argv[i] == name)
         return true;
   return false;
-}
-
-/** In small letters, with the dot. */
-std::string
-extensionOf(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& letter : extension)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return extension;
 }
 
 /** Refuse a file name with another extension.
@@ -323,7 +312,7 @@ CommandLine::takeFiles(const std::vector<std::string>& given,
                           ? "; several scans need --" + tool_.list_option
                           : ""));
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].is_checked)
+    if (files[i].is_checked && !(files[i].may_be_stream && given[i] == standard_output))
       requireExtension(files[i].name, given[i], files[i].extensions);
     *targets[i] = given[i];
   }

@@ -12,6 +12,9 @@
 #include "console.h"
 #include "loaded_scan.h"
 #include "parameter.h"
+#include "words.h"
+
+#include <pcl_cid/io/scan_source.h>
 
 namespace pcl_cid::tools {
 
@@ -61,6 +64,13 @@ declareReadingOptions(Settings& settings, CommandLine& line)
 {
   line.group(setting::threads.group);
   declareClassTable(settings.class_table, line);
+  line.word(
+      "input-format",
+      "F",
+      withoutDots(scanExtensions()),
+      settings.input_format,
+      "read INPUT as a file with this extension, whatever its name says; INPUT - is "
+      "the standard input, whose format its content may not tell");
   line.setting(setting::scale, settings.scale);
   line.setting(setting::mesh_spacing, settings.mesh_spacing);
   line.flag("keep-zeros",

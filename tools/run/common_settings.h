@@ -55,6 +55,7 @@ struct Settings {
   std::string report;
   double scale = setting::scale.initial;
   double mesh_spacing = setting::mesh_spacing.initial;
+  std::string input_format; ///< an extension without its dot; empty: INPUT says it
   bool keep_zeros = false;
   bool quiet = false;
   ManyScans many;

@@ -50,13 +50,17 @@ remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
 LoadedScan
 loadScan(const Settings& settings, Run& run)
 {
-  if (!settings.many.output_dir.empty())
+  if (!settings.many.output_dir.empty() || settings.output == standard_output)
     run.console.beBriefOn(settings.input);
   run.begin("Loading " + settings.input);
   LoadedScan scan;
-  scan.cloud = readScan(
-      settings.input,
-      {settings.class_table, run.remark(), settings.scale, settings.mesh_spacing});
+  scan.cloud =
+      readScan(settings.input,
+               {settings.class_table,
+                run.remark(),
+                settings.scale,
+                settings.mesh_spacing,
+                settings.input_format.empty() ? "" : "." + settings.input_format});
   scan.points = pointsOf(scan.cloud, {settings.keep_zeros, run.remark()});
   const std::string size = std::to_string(scan.cloud.size());
   if (scan.points.finite == 0)

@@ -12,6 +12,7 @@
 #include "failed_scans.h"
 #include "interruption.h"
 #include "run.h"
+#include "words.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/scan_source.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <ostream>
 #include <utility>
@@ -125,11 +127,21 @@ private:
   requireReadable(const std::string& scan, const std::vector<std::string>& inputs)
   {
     // It may have been recognized by its content; if not, the reader knows why.
-    if (!isScan(scan))
+    if (!isScan(scan) && !isFileNamedAsScan(scan))
       readScan(scan);
     for (const std::string& input : inputs)
       if (!input.empty() && access(input.c_str(), R_OK) != 0)
         throw CIDException(input + ": cannot be opened: " + std::strerror(errno));
+  }
+
+  /** Whether its name says how it is read, although not every such file is a scan. */
+  static bool
+  isFileNamedAsScan(const std::string& path)
+  {
+    const std::vector<std::string> extensions = scanExtensions();
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) &&
+           std::count(extensions.begin(), extensions.end(), extensionOf(path)) > 0;
   }
 
   void

@@ -46,6 +46,8 @@ struct FileArgument {
   std::vector<std::string> extensions; ///< in small letters, with the dot
   /** Whether another extension is refused; else it is for the reader to say. */
   bool is_checked = false;
+  /** Whether it may be the standard output, "-". */
+  bool may_be_stream = false;
 };
 
 /** \brief A tool as a user sees it. */

@@ -9,7 +9,9 @@
 
 #include "words.h"
 
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 
 namespace pcl_cid::tools {
 namespace {
@@ -31,6 +33,15 @@ alternatives(const std::vector<std::string>& words)
   for (std::size_t i = 0; i < words.size(); ++i)
     text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
   return text;
+}
+
+std::string
+extensionOf(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& letter : extension)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return extension;
 }
 
 std::vector<std::string>

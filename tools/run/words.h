@@ -18,6 +18,10 @@ namespace pcl_cid::tools {
 std::string
 alternatives(const std::vector<std::string>& words);
 
+/** \brief The extension of a file, with its dot, in small letters. */
+std::string
+extensionOf(const std::string& path);
+
 /** \brief ".pcd" -> "pcd". */
 std::vector<std::string>
 withoutDots(std::vector<std::string> extensions);

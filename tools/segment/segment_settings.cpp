@@ -58,6 +58,15 @@ declareLabelOptions(SegmentSettings& settings, CommandLine& line)
   line.choice(setting::clean_up, settings.clean_up);
 }
 
+/** OUTPUT: a cloud, which may go to the standard output. */
+FileArgument
+labelledOutput()
+{
+  FileArgument argument = outputArgument("OUTPUT", writableCloudExtensions());
+  argument.may_be_stream = true;
+  return argument;
+}
+
 } // namespace
 
 bool
@@ -82,12 +91,7 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
                 optionName(setting::coverage),
                 optionName(setting::start_index),
                 optionName(setting::seeding)});
-  if (!parseScans(argc,
-                  argv,
-                  outputArgument("OUTPUT", writableCloudExtensions()),
-                  nameOptions(settings),
-                  settings,
-                  line))
+  if (!parseScans(argc, argv, labelledOutput(), nameOptions(settings), settings, line))
     return false;
   checkScannetOptions(settings.scannet, settings.labels_from);
   return true;

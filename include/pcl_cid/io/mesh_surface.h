@@ -23,11 +23,14 @@ namespace pcl_cid {
  *  binary), OFF or PLY, packed by gzip or not. Faces with more corners are divided into
  *  triangles about their first one. Normals, colors, textures and groups are passed
  *  over; which side of a face is the outer one has no meaning here.
- *  \return coordinates as they stand in the file; corners of an STL are not joined
- *  \throws CIDException when the extension is none of these, when the file cannot be
- *  opened, is truncated or damaged, when a vertex is not finite, or there is no face */
+ *  \param[in] path "-" is the standard input
+ *  \param[in] extension of the format that the file has, with the dot, whatever its
+ * name says; empty: its name says it \return coordinates as they stand in the file;
+ * corners of an STL are not joined \throws CIDException when the extension is none of
+ * these, when the file cannot be opened, is truncated or damaged, when a vertex is not
+ * finite, or there is no face */
 PCL_CID_IO_EXPORT TriangleMesh
-readSurface(const std::string& path);
+readSurface(const std::string& path, const std::string& extension = "");
 
 /** \brief Whether a file is, by its name, a mesh and no cloud: an OBJ, STL or OFF. */
 PCL_CID_IO_EXPORT bool
@@ -60,9 +63,12 @@ PCL_CID_IO_EXPORT std::vector<Eigen::Vector3d>
 sampleSurface(const TriangleMesh& mesh, double spacing);
 
 /** \brief Read a mesh as a cloud with the fields x, y and z.
+ *  \param[in] extension see readSurface()
  *  \param[in] spacing see sampleSurface(); 0: usualSpacing()
  *  \return with a remark that says the spacing and the number of triangles */
 PCL_CID_IO_EXPORT LabelledCloud
-readSurfaceAsCloud(const std::string& path, double spacing);
+readSurfaceAsCloud(const std::string& path,
+                   double spacing,
+                   const std::string& extension = "");
 
 } // namespace pcl_cid

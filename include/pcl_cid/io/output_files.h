@@ -16,6 +16,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,18 @@ namespace pcl_cid {
 class RunFolder;
 struct Change;
 
+/** \brief The name of the standard output, as an output like others. */
+constexpr const char* standard_output = "-";
+
 /** \brief The outputs of one run.
  *
  *  Each is written beside its place, under a hidden name, and renamed once all of them
  *  are written and on the disk; until then, and when anything fails, nothing appears
  *  and what was there before stays. When the process is killed amid the renames, the
  *  next run with outputs in the folder takes them back.
+ *
+ *  The standard output can be one of them, under the name standard_output: it is held
+ * in memory, and gets its bytes once all others are in their places.
  *
  *  \code
  *    pcl_cid::OutputFiles outputs({"scan.pcd"});
@@ -122,6 +129,12 @@ private:
     std::uint64_t number = 0; ///< on the device; 0: it does not exist
   };
 
+  void
+  announceStandardOutput();
+
+  void
+  sendToStandardOutput() const;
+
   static Input
   inputAt(const std::string& path);
 
@@ -150,6 +163,7 @@ private:
   std::vector<Output> outputs_;
   std::vector<std::string> made_folders_;
   std::vector<Removal> removals_;
+  std::optional<std::string> for_standard_output_; ///< none: it is not announced
   std::vector<std::unique_ptr<RunFolder>> folders_;
 };
 

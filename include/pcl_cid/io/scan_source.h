@@ -31,6 +31,9 @@ struct ScanOptions {
    *  file, setting::mesh_spacing; 0: for about 200,000 points. A PLY is a mesh only
    *  where this is given. */
   double mesh_spacing = setting::mesh_spacing.initial;
+  /** Extension of the format that a file has, with the dot, whatever its name and
+   *  content say: one of scanExtensions(). Empty: they say it. */
+  std::string extension = {};
 };
 
 /** \brief Whether a path is a folder that readScan() reads: a room of S3DIS or a scan

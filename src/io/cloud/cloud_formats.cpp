@@ -68,10 +68,23 @@ rewind(std::istream& stream)
   stream.seekg(0);
 }
 
-/** By the content where a format can tell by that, else by the extension. */
 const CloudFormat&
-formatOf(const OpenedFile& file, const std::string& path)
+givenFormat(const std::string& extension, const std::string& path)
 {
+  const CloudFormat* const format = findCloudFormat("file" + extension);
+  if (!format || !format->read)
+    throw CIDException(path + ": " + neededFile() + ", not one with the extension " +
+                       extension);
+  return *format;
+}
+
+/** By the content where a format can tell by that, else by the extension.
+ *  \param[in] given an extension that decides; may be empty */
+const CloudFormat&
+formatOf(const OpenedFile& file, const std::string& path, const std::string& given)
+{
+  if (!given.empty())
+    return givenFormat(given, path);
   std::istream& stream = *file.stream;
   const std::string extension = extensionOf(file.name);
   const auto isOfThis = [&](const CloudFormat& format) {
@@ -84,7 +97,9 @@ formatOf(const OpenedFile& file, const std::string& path)
   if (format)
     return *format;
   refuseForeignFormat(stream, path);
-  throw CIDException(path + ": " + noneOfAll());
+  throw CIDException(
+      path + ": " + noneOfAll() +
+      (path == standard_stream ? " by its content; say which it is" : ""));
 }
 
 /** Whatever a reader has left undone shows here, not when the cloud is used. */
@@ -142,9 +157,14 @@ requireHolds(const CloudFormat& format,
     });
 }
 
+/** \param[in] source the layout that the cloud came in */
 const CloudFormat&
-writableFormat(const std::string& path)
+writableFormat(const std::string& path, const CloudLayout& source)
 {
+  if (path == standard_stream) {
+    const CloudFormat* const same = formatTable().named(source.format);
+    return same && same->write ? *same : *formatTable().named("PCD");
+  }
   const CloudFormat* const format = findCloudFormat(path);
   if (!format || !format->write)
     throw CIDException(path + ": a cloud is written as " +
@@ -168,12 +188,12 @@ mendPose(LabelledCloud& cloud)
 } // namespace
 
 LabelledCloud
-readCloud(const std::string& path)
+readCloud(const std::string& path, const std::string& extension)
 {
   const OpenedFile file = openFile(path, neededFile());
   LabelledCloud cloud;
   cloud.name = path;
-  formatOf(file, path).read(*file.stream, file.size, cloud);
+  formatOf(file, path, extension).read(*file.stream, file.size, cloud);
   requireWhole(cloud);
   mendPose(cloud);
   return cloud;
@@ -182,7 +202,7 @@ readCloud(const std::string& path)
 CloudLayout
 layoutFor(const std::string& path, const CloudLayout& source)
 {
-  const CloudFormat& format = writableFormat(path);
+  const CloudFormat& format = writableFormat(path, source);
   const bool keeps =
       source.format == format.name || source.encoding == CloudEncoding::ascii;
   return {format.name,
@@ -195,7 +215,7 @@ requireWritable(const LabelledCloud& cloud,
                 const std::string& path,
                 const RemarkCallback& remark)
 {
-  requireHolds(writableFormat(path), cloud, remark);
+  requireHolds(writableFormat(path, cloud.layout), cloud, remark);
 }
 
 void

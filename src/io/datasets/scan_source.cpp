@@ -90,9 +90,11 @@ requireUseForTable(const std::string& path, const std::string& class_table)
 LabelledCloud
 readFile(const std::string& path, const ScanOptions& options)
 {
-  return options.mesh_spacing > 0.0 || isSurfaceFile(path)
-             ? readSurfaceAsCloud(path, options.mesh_spacing)
-             : readCloud(path);
+  const std::string& extension = options.extension;
+  const bool is_mesh = isSurfaceFile(extension.empty() ? path : "file" + extension);
+  return is_mesh || options.mesh_spacing > 0.0
+             ? readSurfaceAsCloud(path, options.mesh_spacing, extension)
+             : readCloud(path, extension);
 }
 
 [[noreturn]] void
@@ -154,9 +156,9 @@ readScan(const std::string& path, const ScanOptions& options)
   const Dataset* const dataset = datasetOf(path);
   if (!dataset && isFolder(path))
     refuseFolder(path);
-  if (dataset && options.mesh_spacing > 0.0)
+  if (dataset && (options.mesh_spacing > 0.0 || !options.extension.empty()))
     throw CIDException(path + ": is " + dataset->scan +
-                       "; only a mesh has a use for a spacing");
+                       "; only a file has a use for a format or a spacing of points");
   LabelledCloud cloud =
       dataset ? dataset->read(path, options) : readFile(path, options);
   cloud.scale = options.scale;

@@ -15,9 +15,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -106,11 +108,14 @@ OutputFiles::discard() noexcept
     rmdir(folder->c_str());
   made_folders_.clear();
   removals_.clear();
+  for_standard_output_.reset();
 }
 
 void
 OutputFiles::announce(const std::string& path)
 {
+  if (path == standard_output)
+    return announceStandardOutput();
   refuseInput(path);
   requireFolder(path, fs::path(path).parent_path());
   requireFileOrNothing(path);
@@ -128,6 +133,14 @@ OutputFiles::announce(const std::string& path)
     outputs_.pop_back();
     throw CIDException(path + ": cannot be written: " + std::strerror(reason));
   }
+}
+
+void
+OutputFiles::announceStandardOutput()
+{
+  if (for_standard_output_)
+    throw CIDException("the standard output is written twice; choose a name");
+  for_standard_output_.emplace();
 }
 
 void
@@ -175,6 +188,12 @@ void
 OutputFiles::write(const std::string& path,
                    const std::function<void(std::ostream&)>& writer)
 {
+  if (path == standard_output && for_standard_output_) {
+    std::ostringstream stream;
+    writer(stream);
+    for_standard_output_ = std::move(stream).str();
+    return;
+  }
   const Output& output = find(path);
   std::ofstream stream(output.partial, std::ios::binary | std::ios::trunc);
   writer(stream);
@@ -199,12 +218,25 @@ OutputFiles::commit()
   try {
     if (!folders_.empty())
       commitIn(folders_.front()->base());
+    if (for_standard_output_)
+      sendToStandardOutput();
   }
   catch (...) {
     discard();
     throw;
   }
   discard(); // the locks alone
+}
+
+void
+OutputFiles::sendToStandardOutput() const
+{
+  const std::string& bytes = *for_standard_output_;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() ||
+      std::fflush(stdout) != 0)
+    throw CIDException(
+        std::string("the standard output could not be written in full: ") +
+        std::strerror(errno));
 }
 
 /** \param[in] base in the first folder: there the record will be */

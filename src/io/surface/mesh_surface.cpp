@@ -57,10 +57,11 @@ addFace(const std::vector<std::uint64_t>& corners, TriangleMesh& mesh)
 }
 
 TriangleMesh
-readSurface(const std::string& path)
+readSurface(const std::string& path, const std::string& extension)
 {
   const std::string needed = "a mesh is needed: " + listed(surfaceNames());
-  const SurfaceFormat* const format = surfaceFormatOf(path);
+  const SurfaceFormat* const format =
+      surfaceFormatOf(extension.empty() ? path : "file" + extension);
   if (!format)
     throw CIDException(path + ": is no mesh by its name; " + needed);
   const OpenedFile file = openFile(path, needed);
@@ -98,9 +99,11 @@ surfaceExtensions()
 }
 
 LabelledCloud
-readSurfaceAsCloud(const std::string& path, double spacing)
+readSurfaceAsCloud(const std::string& path,
+                   double spacing,
+                   const std::string& extension)
 {
-  const TriangleMesh mesh = readSurface(path);
+  const TriangleMesh mesh = readSurface(path, extension);
   LabelledCloud cloud;
   cloud.name = path;
   try {

@@ -21,6 +21,7 @@
 
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/stream.hpp>
+#include <unistd.h>
 #include <zlib.h>
 
 namespace pcl_cid {
@@ -50,11 +51,14 @@ struct CloseGzip {
   }
 };
 
-/** All that a packed file holds: several parts, one after the other, too. */
+/** All that a packed file holds: several parts, one after the other, too. What is not
+ *  packed comes as it is. */
 std::string
 unpacked(const std::string& path)
 {
-  const std::unique_ptr<gzFile_s, CloseGzip> file(gzopen(path.c_str(), "rb"));
+  const std::unique_ptr<gzFile_s, CloseGzip> file(path == standard_stream
+                                                      ? gzdopen(dup(STDIN_FILENO), "rb")
+                                                      : gzopen(path.c_str(), "rb"));
   if (!file)
     throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
   std::string text;
@@ -83,6 +87,24 @@ isPacked(std::istream& stream)
   return begins_as_gzip;
 }
 
+/** \param[in] needed what the caller needs, for messages */
+std::shared_ptr<std::istream>
+openedOnDisk(const std::string& path, const std::string& needed)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw CIDException(path + ": there is no such file");
+  if (fs::is_directory(path, error))
+    throw CIDException(path + ": is a folder; " + needed);
+  const auto stream = std::make_shared<std::ifstream>(path, std::ios::binary);
+  if (!*stream)
+    throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
+  if (isPacked(*stream))
+    return std::make_shared<MemoryStream>(unpacked(path));
+  return stream;
+}
+
 } // namespace
 
 std::string
@@ -96,19 +118,12 @@ withoutGzip(const std::string& path)
 OpenedFile
 openFile(const std::string& path, const std::string& needed)
 {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (!fs::exists(path, error))
-    throw CIDException(path + ": there is no such file");
-  if (fs::is_directory(path, error))
-    throw CIDException(path + ": is a folder; " + needed);
   OpenedFile file;
   file.name = withoutGzip(path);
-  file.stream = std::make_shared<std::ifstream>(path, std::ios::binary);
-  if (!*file.stream)
-    throw CIDException(path + ": cannot be opened: " + std::strerror(errno));
-  if (isPacked(*file.stream))
+  if (path == standard_stream)
     file.stream = std::make_shared<MemoryStream>(unpacked(path));
+  else
+    file.stream = openedOnDisk(path, needed);
   file.stream->seekg(0, std::ios::end);
   const std::streamoff end = file.stream->tellg();
   file.stream->seekg(0);

@@ -23,6 +23,9 @@ struct OpenedFile {
   std::uint64_t size = 0;               ///< bytes in it
 };
 
+/** \brief The name of the standard input, or output. */
+constexpr const char* standard_stream = "-";
+
 /** \brief What names of files packed by gzip end in. */
 constexpr const char* gzip_extension = ".gz";
 
@@ -31,7 +34,7 @@ std::string
 withoutGzip(const std::string& path);
 
 /** \brief Open a file. One that gzip packed, as its first bytes tell, is unpacked into
- *  memory.
+ *  memory, and so is the standard input, whose name is standard_stream.
  *  \param[in] needed what the caller needs, for messages: "a PCD file is needed"
  *  \throws CIDException when it does not exist, is a folder, cannot be opened or
  *  unpacked, or is empty */
