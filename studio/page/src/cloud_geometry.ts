@@ -31,8 +31,8 @@ export class CloudGeometry {
   constructor(
     readonly places: number,
     hasColor: boolean,
-    session: Session,
-    parts: PartsState,
+    session: Pick<Session, 'labels' | 'groups'>,
+    parts: Pick<PartsState, 'groupOf'>,
   ) {
     this.groupsOf = { labels: new BufferAttribute(session.groups, 1), parts: new BufferAttribute(parts.groupOf, 1) };
     this.positions = new Float32Array(3 * places);

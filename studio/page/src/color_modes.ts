@@ -7,12 +7,11 @@
  * What the colors of the points say, the menu for it and the legend.
  */
 
-import { DataTexture, RGBAFormat } from 'three';
-import type { Texture } from 'three';
 import type { Actions } from './actions';
-import { el, metres } from './dom';
+import { ColorLegend, rampTexture } from './color_legend';
+import { el } from './dom';
 import type { WorkMode } from './modes';
-import { CID_RAMP, DOUBT_RAMP, HEIGHT_RAMP, rampCss } from './palette';
+import { CID_RAMP, DOUBT_RAMP, HEIGHT_RAMP } from './palette';
 import type { PointCloudView } from './point_cloud_view';
 import type { SectionCut } from './section';
 import type { Session } from './session';
@@ -48,14 +47,13 @@ export class ColorModes {
   /** Doubt below this is worth a look, in metres. */
   doubtBelow = 0.01;
   readonly select: HTMLSelectElement;
-  readonly legend = el('div', { class: 'legend', hidden: true });
+  readonly legend = new ColorLegend();
   private before: ModeName = 'label';
   /** Nobody has chosen a mode yet. */
   private untouched = true;
   private available: ModeName[] = [];
   private work: WorkMode = 'labels';
   private lastOf: Record<WorkMode, ModeName> = { labels: 'height', parts: 'part' };
-  private textures = new Map<Uint8Array, Texture>();
   private cidBusy = false;
   private cidNext: number | null = null;
   private cidShown: number | null = null;
@@ -106,8 +104,8 @@ export class ColorModes {
     const { uniforms, cloud } = this.view;
     uniforms.mode.value = MODE[mode];
     const ramp = RAMPS[mode] ?? HEIGHT_RAMP;
-    uniforms.ramp.value = this.texture(ramp);
-    this.legend.hidden = true;
+    uniforms.ramp.value = rampTexture(ramp);
+    this.legend.hide();
     if (mode === 'height') this.showHeight();
     else this.setRange(...this.section.heights);
     this.view.canvas.parentElement?.setAttribute('data-colors', mode);
@@ -197,25 +195,7 @@ export class ColorModes {
   }
 
   private showLegend(text: string, ramp: Uint8Array | null): void {
-    this.legend.hidden = false;
-    this.legend.replaceChildren(el('span', { class: 'legend-title', text }));
-    if (!ramp) return;
-    const bar = el('div', { class: 'legend-bar' });
-    bar.style.background = rampCss(ramp);
     const { x, y } = this.view.uniforms.range.value;
-    this.legend.append(
-      bar,
-      el('div', { class: 'legend-ends' }, el('span', { text: metres(x) }), el('span', { text: metres(y) })),
-    );
-  }
-
-  private texture(ramp: Uint8Array): Texture {
-    let texture = this.textures.get(ramp);
-    if (!texture) {
-      texture = new DataTexture(ramp, 256, 1, RGBAFormat);
-      texture.needsUpdate = true;
-      this.textures.set(ramp, texture);
-    }
-    return texture;
+    this.legend.show(text, ramp, x, y);
   }
 }

@@ -9,20 +9,12 @@
 
 import { Cancelled, Disconnected } from './connection';
 import type { Connection } from './connection';
-import { edgesOf } from './hull_edges';
 import { Emitter } from './emitter';
+import { unpackHulls } from './hull';
+import type { Hull } from './hull';
 import type { Messages } from './messages';
 import type { PartsState } from './parts_state';
 import type { HullFacts, Message, Part, Tightness } from './protocol';
-
-export interface Hull {
-  facts: HullFacts;
-  /** Local, three for each vertex. */
-  positions: Float32Array;
-  triangles: Uint32Array;
-  /** Two ends, three coordinates each, of each edge between faces that are not one plane. */
-  edges: Float32Array;
-}
 
 interface Entry {
   hull: Hull;
@@ -113,18 +105,10 @@ export class HullStore extends Emitter<{ changed: 'hulls' | 'tightness' }> {
 
   /** How many came. */
   private takeHulls(parts: Part[], { header, arrays }: Message): number {
-    const vertices = arrays.vertices as Float32Array;
-    const triangles = arrays.triangles as Uint32Array;
-    const facts = header.hulls as HullFacts[];
-    let [vertex, triangle] = [0, 0];
-    facts.forEach((one, i) => {
-      const positions = vertices.slice(3 * vertex, 3 * (vertex += one.vertices));
-      const corners = triangles.slice(3 * triangle, 3 * (triangle += one.triangles));
-      const hull = { facts: one, positions, triangles: corners, edges: edgesOf(positions, corners) };
-      this.entries.set(keyOf(parts[i]), { hull, tightness: null });
-    });
+    const hulls = unpackHulls(header.hulls as HullFacts[], arrays.vertices as Float32Array, arrays.triangles as Uint32Array);
+    hulls.forEach((hull, i) => this.entries.set(keyOf(parts[i]), { hull, tightness: null }));
     this.emit('changed', 'hulls');
-    return facts.length;
+    return hulls.length;
   }
 
   private takeTightness(parts: Part[], { header }: Message): number {

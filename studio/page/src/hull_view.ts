@@ -21,8 +21,7 @@ import {
   Vector3,
 } from 'three';
 import type { Ray } from 'three';
-import type { Hull, HullStore } from './hull_store';
-import type { PartsState } from './parts_state';
+import type { Hull } from './hull';
 import type { PointCloudView } from './point_cloud_view';
 import type { Part } from './protocol';
 import type { SectionCut } from './section';
@@ -32,12 +31,17 @@ const LINE = 1.4;
 /** Points must be seen through the faces, as far as there are any. */
 const OPACITY = { withPoints: 0.27, alone: 0.62 };
 
+export interface DrawnHull {
+  part: Part;
+  hull: Hull;
+}
+
 export class HullView {
   shown = true;
   /** Whether the mode has hulls at all. */
   active = false;
   /** What the meshes hold. */
-  private drawn: { part: Part; hull: Hull }[] = [];
+  private drawn: DrawnHull[] = [];
   private faces: Mesh;
   private edges: Mesh;
   private size = { value: new Vector2() };
@@ -46,8 +50,8 @@ export class HullView {
   constructor(
     private view: PointCloudView,
     private section: SectionCut,
-    private state: PartsState,
-    private store: HullStore,
+    /** Those that there are now. */
+    private list: () => DrawnHull[],
   ) {
     const material = (vertexShader: string, fragmentShader: string, more: object): RawShaderMaterial =>
       new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, transparent: true, depthWrite: false, ...more });
@@ -62,12 +66,10 @@ export class HullView {
     }
     this.resize();
     view.on('resized', () => this.resize());
-    state.on('changed', () => this.refresh());
-    store.on('changed', (what) => what === 'hulls' && this.refresh());
   }
 
   /** The parts whose hulls are in the picture. */
-  get seen(): readonly { part: Part; hull: Hull }[] {
+  get seen(): readonly DrawnHull[] {
     return this.faces.visible ? this.drawn : [];
   }
 
@@ -87,13 +89,9 @@ export class HullView {
     this.view.invalidate();
   }
 
-  /** Only hulls of the parts of now, as far as they have come. */
-  private refresh(): void {
-    this.drawn = [];
-    for (const part of this.state.list) {
-      const hull = this.store.hullOf(part);
-      if (hull && !part.dropped) this.drawn.push({ part, hull });
-    }
+  /** The list is another one. */
+  refresh(): void {
+    this.drawn = this.list();
     this.faces.geometry.dispose();
     this.edges.geometry.dispose();
     this.faces.geometry = this.faceGeometry();

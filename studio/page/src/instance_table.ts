@@ -21,7 +21,7 @@ export class InstanceTable extends Emitter<{ changed: void }> {
   private classNumbers = new Map<string, number>();
 
   constructor(
-    private session: Session,
+    private session: Pick<Session, 'instances'>,
     classNames: string[],
   ) {
     super();

@@ -117,7 +117,7 @@ async function open(root: HTMLElement): Promise<void> {
   const toolbar = makeToolbar(bench, commands, ofParts, info);
   connectModes(bench, root, partsMode.hullStore);
   connectPointer(bench);
-  area.append(section.panel, colors.legend, questions.done);
+  area.append(section.panel, colors.legend.element, questions.done);
   root.prepend(toolbar.element);
   root.append(panel.element, partsMode.partsPanel.element, status.element);
 

@@ -32,7 +32,8 @@ function marks({ dropped, exact }: Part, facts: HullFacts | null): HTMLElement[]
   return list.flatMap(([is, text, title]) => (is ? [el('span', { class: `badge ${text}`, text, title })] : []));
 }
 
-function fit(facts: HullFacts | null, tightness: Tightness | null): HTMLElement {
+/** How large the hull is, and how well it fits. */
+export function fit(facts: HullFacts | null, tightness: Tightness | null): HTMLElement {
   const line = el('span', { class: 'part-fit' });
   if (!facts) line.append(el('span', { text: 'The hull is on its way …' }));
   else {

@@ -13,6 +13,7 @@ import type { Connection } from './connection';
 import { CutControls } from './cut_controls';
 import { HullStore } from './hull_store';
 import { HullView } from './hull_view';
+import type { DrawnHull } from './hull_view';
 import type { Messages } from './messages';
 import { PartPicking } from './part_picking';
 import { PartTable } from './part_table';
@@ -46,10 +47,20 @@ export interface PartsMode {
   partsWork: PartsWork;
 }
 
+/** Only hulls of the parts of now, as far as they have come. */
+function hullsOf(parts: PartsState, store: HullStore): DrawnHull[] {
+  return parts.list.flatMap((part) => {
+    const hull = part.dropped ? null : store.hullOf(part);
+    return hull ? [{ part, hull }] : [];
+  });
+}
+
 export function makePartsMode(needs: PartsNeeds): PartsMode {
   const { actions, camera, connection, diagonal, isDrawn, messages, parts, picking, section, session, view } = needs;
   const hullStore = new HullStore(parts, connection, messages);
-  const hulls = new HullView(view, section, parts, hullStore);
+  const hulls = new HullView(view, section, () => hullsOf(parts, hullStore));
+  parts.on('changed', () => hulls.refresh());
+  hullStore.on('changed', (what) => what === 'hulls' && hulls.refresh());
   const partPicking = new PartPicking(view, picking, hulls, parts);
   const table = new PartTable(parts, (texture) => (view.uniforms.partColors.value = texture));
   const partsWork = new PartsWork(parts, actions, view, camera, diagonal, messages, isDrawn);

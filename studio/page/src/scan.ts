@@ -68,6 +68,14 @@ export function streamPositions(
 }
 
 /** Colors come as three bytes and are kept as four, which is how graphics cards like them. */
+export function unpackColors(packed: Uint8Array, colors: Uint8Array, from: number, to: number): void {
+  for (let i = from; i < to; i++) {
+    colors[4 * i] = packed[3 * i];
+    colors[4 * i + 1] = packed[3 * i + 1];
+    colors[4 * i + 2] = packed[3 * i + 2];
+  }
+}
+
 export function streamColors(
   requested: Promise<Response>,
   colors: Uint8Array,
@@ -75,11 +83,7 @@ export function streamColors(
 ): Promise<void> {
   const packed = new Uint8Array((colors.length / 4) * 3);
   return stream(requested, packed, 3, (from, to) => {
-    for (let i = from; i < to; i++) {
-      colors[4 * i] = packed[3 * i];
-      colors[4 * i + 1] = packed[3 * i + 1];
-      colors[4 * i + 2] = packed[3 * i + 2];
-    }
+    unpackColors(packed, colors, from, to);
     arrived(from, to);
   });
 }

@@ -29,9 +29,10 @@ export class Toolbar {
   readonly element = el('header', { class: 'toolbar', role: 'toolbar', 'aria-label': 'Tools' });
   private buttons = new Map<string, { button: HTMLButtonElement; tool: Tool }>();
 
-  constructor(scanName: string, session: string) {
+  /** `about`: a second line, and what the mouse says there. */
+  constructor(scanName: string, about: string, title: string) {
     this.element.append(
-      el('div', { class: 'scan-name' }, el('h1', { text: scanName, title: scanName }), el('span', { text: session, title: `Session: ${session}` })),
+      el('div', { class: 'scan-name' }, el('h1', { text: scanName, title: scanName }), el('span', { text: about, title })),
     );
   }
 

@@ -16,7 +16,7 @@ import { Toolbar } from './toolbar';
 
 export function makeToolbar(bench: Workbench, commands: Commands, ofParts: PartsCommands, info: ScanInfo): Toolbar {
   const { actions, colors, hulls, lasso, messages, modes, parts, questions, section, session, view } = bench;
-  const bar = new Toolbar(info.name, info.session);
+  const bar = new Toolbar(info.name, info.session, `Session: ${info.session}`);
   const more = el('select', { 'aria-label': 'More about questions', title: 'More about questions', class: 'more', 'data-only': 'labels' });
   for (const [value, text] of [
     ['', 'More'],
