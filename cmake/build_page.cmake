@@ -17,7 +17,7 @@ if(copied)
   file(REMOVE_RECURSE ${copied})
 endif()
 file(COPY ${SOURCE}/ DESTINATION ${WORK_DIR}
-  PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE)
+  PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN dist_picture EXCLUDE)
 
 set(fetched ${WORK_DIR}/node_modules/.fetched-by-lock-file)
 set(known "")
