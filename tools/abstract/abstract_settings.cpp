@@ -9,6 +9,7 @@
 
 #include "abstract_settings.h"
 
+#include "picture/picture.h"
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
@@ -186,6 +187,8 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
             settings.verify,
             "read the meshes again and check what hulls guarantee; nothing is written "
             "when one fails");
+  line.group("To look at");
+  declarePictureOption(settings.html, line);
   declareSceneOptions(settings.scenes, line);
   declareSeedOptions(settings, line);
   settings.many.format = "obj";
@@ -213,6 +216,7 @@ nameOptions(AbstractSettings& settings)
                                   {"tree", &settings.tree},
                                   {"curve", &settings.curve},
                                   {"report", &settings.report},
+                                  {"html", &settings.html},
                                   {"parts-dir", &settings.scenes.parts_dir}};
   for (SceneFile& scene : settings.scenes.files)
     options.push_back({scene.format.option, &scene.path});
@@ -247,6 +251,7 @@ announceOutputs(const AbstractSettings& settings, OutputFiles& outputs)
                                   settings.report})
     if (!path.empty())
       outputs.announce(path);
+  announcePicture(settings.html, outputs);
 }
 
 std::vector<Report::Parameter>

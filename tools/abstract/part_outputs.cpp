@@ -12,6 +12,7 @@
 #include "error_verification.h"
 #include "hull_verification.h"
 #include "mesh_output.h"
+#include "picture/picture.h"
 #include "primitive_verification.h"
 #include "run/words.h"
 
@@ -141,6 +142,7 @@ requireOutputsCanHold(const AbstractSettings& settings,
   requireRoomForFloat(settings.output, scan, settings.hulls.min_thickness);
   if (!settings.labels.empty())
     requireOutputHolds(settings.labels, scan, run);
+  requirePictureOf(settings.html, scan);
 }
 
 void
@@ -163,6 +165,10 @@ writeParts(const AbstractSettings& settings,
            scene,
            run);
   }
+  Picture picture;
+  picture.kind = Picture::Kind::parts;
+  picture.parts = &abstracted.parts;
+  savePicture(settings.html, picture, scan, run);
   run.finish(settings.report);
 }
 

@@ -138,7 +138,7 @@ measureTightness(const AbstractSettings& settings,
                  Abstraction& abstraction,
                  Run& run)
 {
-  if (settings.report.empty() && settings.curve.empty())
+  if (settings.report.empty() && settings.html.empty() && settings.curve.empty())
     return;
   const TightnessMeter meter =
       measureTightness(settings, abstraction.getPreparedScan(), result.parts, run);

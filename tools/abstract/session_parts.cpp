@@ -128,7 +128,7 @@ abstractChosenParts(const AbstractSettings& settings,
   findPrimitives(settings, {}, prepared, run, abstracted);
   simplify(settings, {}, prepared, run, abstracted);
   describe(settings, *prepared, scan, run);
-  if (!settings.report.empty())
+  if (!settings.report.empty() || !settings.html.empty())
     measureTightness(settings, prepared, abstracted.parts, run);
   moveToFile(scan.points.frame, abstracted);
   return abstracted;

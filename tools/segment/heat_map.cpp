@@ -9,6 +9,7 @@
 
 #include "heat_map.h"
 
+#include "picture/picture.h"
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/words.h"
@@ -113,11 +114,13 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
 {
   Run run(tool, settings.quiet, inputFiles(settings));
   run.outputs.announce(settings.output);
+  announcePicture(settings.html, run.outputs);
   if (!settings.report.empty())
     run.outputs.announce(settings.report);
 
   LoadedScan scan = loadScan(settings, run);
   requireOutputHolds(settings.output, scan, run);
+  requirePictureOf(settings.html, scan);
   const Eigen::Vector3f from = requirePoint(scan.points, cid_from);
   const std::vector<float> cids = heatMap(scan.points, from, settings, run);
   describe(scan.points, settings, cid_from, run.report);
@@ -126,6 +129,11 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
   setFloats(cids, "cid", scan.cloud);
   writeScan(settings.output, scan.cloud, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
+  Picture picture;
+  picture.kind = Picture::Kind::values;
+  picture.values = cids;
+  picture.values_text = "CID from point " + std::to_string(cid_from);
+  savePicture(settings.html, picture, scan, run);
   run.finish(settings.report);
   return figuresOf(run.report);
 }

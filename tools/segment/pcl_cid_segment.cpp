@@ -8,6 +8,7 @@
  */
 
 #include "heat_map.h"
+#include "picture/picture.h"
 #include "run/loaded_scan.h"
 #include "run/run.h"
 #include "run/scan_batch.h"
@@ -72,9 +73,11 @@ propagateLabels(const SegmentSettings& settings,
   if (!settings.labels.empty()) {
     const SeedTable table = readSeedTable(settings.labels, scan.points);
     requireLabelsFit(table.labels, settings.label_type);
-    for (const auto& [label, name] : table.names)
+    for (const auto& [label, name] : table.names) {
       run.remark()(settings.labels + ": class '" + name + "' is label " +
                    std::to_string(label));
+      result.instances.push_back({label, "", name});
+    }
     propagation.setSeeds(table.seeds, table.labels);
   }
   if (!truth.empty())
@@ -137,6 +140,15 @@ save(const SegmentSettings& settings,
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
 }
 
+Picture
+pictureOf(const SegmentSettings& settings, const SegmentedScan& result)
+{
+  const bool has_labels = !settings.labels.empty() || !settings.labels_from.empty();
+  return {has_labels ? Picture::Kind::labels : Picture::Kind::groups,
+          result.labels,
+          result.instances};
+}
+
 ScanFigures
 segment(const SegmentSettings& settings)
 {
@@ -145,9 +157,11 @@ segment(const SegmentSettings& settings)
   LoadedScan scan = loadScan(settings, run);
   SegmentedScan result = withTruth(settings, scan, run);
   requireOutputHolds(settings.output, scan, run);
+  requirePictureOf(settings.html, scan);
   propagateLabels(settings, scan, run, result);
   describe(settings, scan, result, run);
   save(settings, result, scan, run);
+  savePicture(settings.html, pictureOf(settings, result), scan, run);
   run.finish(settings.report);
   return figuresOf(run.report);
 }

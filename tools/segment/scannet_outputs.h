@@ -12,6 +12,7 @@
 #include "run/command_line.h"
 #include "run/console.h"
 
+#include <pcl_cid/core/named_instance.h>
 #include <pcl_cid/io/output_files.h>
 
 #include <cstdint>
@@ -49,7 +50,8 @@ announceScannetOutputs(const ScannetSettings& settings,
 struct SegmentedScan {
   std::string name; ///< as scanName() says
   std::vector<std::uint32_t> labels;
-  pcl::Indices group; ///< -1 for none
+  std::vector<NamedInstance> instances; ///< what is known of labels
+  pcl::Indices group;                   ///< -1 for none
   /** The labels and classes of INPUT; empty when nothing asks for them. */
   std::vector<std::uint32_t> true_labels;
   std::vector<std::uint32_t> true_classes;

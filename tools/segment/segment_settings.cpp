@@ -10,6 +10,7 @@
 #include "segment_settings.h"
 
 #include "heat_map.h"
+#include "picture/picture.h"
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
@@ -79,6 +80,8 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
   declareLabelOptions(settings, line);
   declareHeatMapOption(settings.cid_from, line);
   declareScannetOptions(settings.scannet, line);
+  line.group("To look at");
+  declarePictureOption(settings.html, line);
   declareSeedOptions(settings, line);
   std::vector<std::string> formats = withoutDots(writableCloudExtensions());
   formats.insert(formats.begin(), settings.many.format = same_format);
@@ -104,6 +107,7 @@ nameOptions(SegmentSettings& settings)
           {"propose", &settings.propose},
           {"session", &settings.session},
           {"report", &settings.report},
+          {"html", &settings.html},
           {"superpoints", &settings.scannet.superpoints},
           {"scannet-submission", &settings.scannet.submission, true}};
 }
@@ -128,6 +132,7 @@ announceOutputs(const SegmentSettings& settings, OutputFiles& outputs)
                          ": holds labels, which would be lost; choose another name");
     outputs.announce(settings.propose);
   }
+  announcePicture(settings.html, outputs);
   if (!settings.report.empty())
     outputs.announce(settings.report);
 }

@@ -9,6 +9,7 @@
 
 #include "session_labels.h"
 
+#include "picture/picture.h"
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
@@ -40,6 +41,7 @@ writeSessionLabels(const std::string& tool, SegmentSettings settings)
   LoadedScan scan = loadScan(settings, run);
   requireScanOf(record, identityOf(scan.cloud), settings.session);
   requireOutputHolds(settings.output, scan, run);
+  requirePictureOf(settings.html, scan);
 
   run.begin("Preparing");
   const ExecutionOptions execution{settings.threads, run.console.progress()};
@@ -58,6 +60,8 @@ writeSessionLabels(const std::string& tool, SegmentSettings settings)
   setLabels(labels, settings.label_type, scan.cloud);
   writeScan(settings.output, scan.cloud, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
+  savePicture(
+      settings.html, {Picture::Kind::labels, labels, session.instances()}, scan, run);
   run.finish(settings.report);
   return figuresOf(run.report);
 }
