@@ -30,12 +30,18 @@ element(const std::string& id, const std::string& type, const std::string& conte
 } // namespace
 
 std::string
-dataElement(const std::string& id, const nlohmann::ordered_json& json)
+textInPage(const nlohmann::ordered_json& json)
 {
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   // In JSON it stands in strings only, where this is the same.
   boost::replace_all(text, "<", "\\u003c");
-  return element(id, "application/json", text);
+  return text;
+}
+
+std::string
+dataElement(const std::string& id, const nlohmann::ordered_json& json)
+{
+  return element(id, "application/json", textInPage(json));
 }
 
 std::string

@@ -16,8 +16,12 @@
 
 namespace pcl_cid::tools {
 
-/** \brief JSON as an element that no text in it can end. Names of files may hold any
- *  bytes; what is not UTF-8 is mended.
+/** \brief JSON as it stands in a page, so that no text in it can end its element. Names
+ *  of files may hold any bytes; what is not UTF-8 is mended. */
+std::string
+textInPage(const nlohmann::ordered_json& json);
+
+/** \brief JSON as an element.
  *  \param[in] id of the element */
 std::string
 dataElement(const std::string& id, const nlohmann::ordered_json& json);

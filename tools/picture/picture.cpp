@@ -60,7 +60,7 @@ someRemarks(const Json& remarks)
   Json some = Json::array();
   std::size_t left = most_bytes_of_remarks;
   for (const Json& remark : remarks) {
-    const std::size_t size = remark.dump().size();
+    const std::size_t size = textInPage(remark).size();
     if (size > left)
       break;
     left -= size;

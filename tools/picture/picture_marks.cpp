@@ -9,6 +9,8 @@
 
 #include "picture_marks.h"
 
+#include "page_data.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -80,17 +82,15 @@ figuresOfPart(Json part)
   return part;
 }
 
-/** A row, unless it does not fit any more. */
-bool
+/** Unless it does not fit any more. */
+void
 addRow(Json row, std::size_t& left, Json& rows)
 {
-  const std::size_t size =
-      row.dump(-1, ' ', false, Json::error_handler_t::replace).size() + 1;
+  const std::size_t size = textInPage(row).size() + 1;
   if (size > left)
-    return false;
+    return;
   left -= size;
   rows.push_back(std::move(row));
-  return true;
 }
 
 } // namespace
@@ -139,8 +139,7 @@ rowsOf(const PictureMarks& marks,
                 {"points", marks.points[index]}};
     if (!parts.is_null())
       row.update(figuresOfPart(parts[index - 1]));
-    if (!addRow(std::move(row), most_bytes, rows))
-      break;
+    addRow(std::move(row), most_bytes, rows);
   }
   if (marks.points[0] > 0)
     rows.push_back({{"index", 0},
