@@ -67,6 +67,14 @@ export const ICONS = {
   pick: 'M9 3l4 4M10.5 5.5 5 11l-2.5 2.5L3 11l5.5-5.5M8 4l4 4',
 } as const;
 
+/** After a click the keys belong to the work again: Space must not press the same button once more. */
+export function letGoOfButtons(): void {
+  document.addEventListener('click', (event) => {
+    const button = (event.target as Element).closest('button');
+    if (event.detail > 0 && button && button === document.activeElement) button.blur();
+  });
+}
+
 /** The key as a small cap beside a label. */
 export function key(name: string): HTMLElement {
   return el('kbd', { text: name });

@@ -67,7 +67,8 @@ export class InstanceTable extends Emitter<{ changed: void }> {
   refresh(): void {
     // A deleted instance must not stay hidden: an undo brings it back to be seen.
     for (const label of this.hidden) if (label && !this.session.instances.has(label)) this.hidden.delete(label);
-    const most = Math.max(0, ...this.session.instances.keys());
+    let most = 0;
+    for (const label of this.session.instances.keys()) most = Math.max(most, label);
     const rows = Math.ceil((most + 1) / LOOKUP_WIDTH);
     if (rows > this.instances.image.height) {
       this.instances.dispose();

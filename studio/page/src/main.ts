@@ -17,7 +17,7 @@ import { ColorModes } from './color_modes';
 import { connectCommands } from './commands';
 import { Connection } from './connection';
 import { Corrections } from './corrections';
-import { el } from './dom';
+import { el, letGoOfButtons } from './dom';
 import { Doubt } from './doubt';
 import { ExportDialog } from './export_dialog';
 import { GroupView } from './group_view';
@@ -138,11 +138,7 @@ async function open(root: HTMLElement): Promise<void> {
     asking.close();
     questions.leave();
   });
-  // After a click the keys belong to the work again: Space must not press the same button once more.
-  document.addEventListener('click', (event) => {
-    const button = (event.target as Element).closest('button');
-    if (event.detail > 0 && button && button === document.activeElement) button.blur();
-  });
+  letGoOfButtons();
   table.refresh();
   colors.set(colors.mode);
   section.apply();

@@ -12,7 +12,7 @@ import './picture.css';
 import { Box3, Vector3 } from 'three';
 import { Camera } from '../camera';
 import { CloudGeometry } from '../cloud_geometry';
-import { el } from '../dom';
+import { el, letGoOfButtons } from '../dom';
 import { unpackHulls } from '../hull';
 import { HullView } from '../hull_view';
 import type { DrawnHull } from '../hull_view';
@@ -99,6 +99,7 @@ function open(root: HTMLElement): void {
   root.prepend(makeToolbar({ camera, colors, facts, hulls, keys, section, view }));
   root.append(side);
 
+  letGoOfButtons();
   section.apply();
   section.suggestCeiling(facts.points);
   void camera.home(false);

@@ -64,7 +64,7 @@ export function makeToolbar(bench: Bench): HTMLElement {
     { name: 'top', text: 'From above', title: 'From above', icon: 'above', shortcut: 'T', run: top },
   );
   bar.fill();
-  bar.element.append(el('span', { class: 'context hint', text: 'Drag: turn · Shift+drag: move · Wheel: zoom · W A S D: fly' }));
+  bar.element.append(el('span', { class: 'context hint', text: 'Drag: turn · Shift+drag: move · Wheel: zoom' }));
 
   const binding = (key: string, run: () => void): Binding => ({ keys: [key], group: '', text: '', run });
   keys.add(
