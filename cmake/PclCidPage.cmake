@@ -16,11 +16,10 @@ if(NOT PCL_CID_NPM)
 endif()
 
 set(page_source ${PROJECT_SOURCE_DIR}/studio/page)
-file(GLOB_RECURSE page_files CONFIGURE_DEPENDS
-  ${page_source}/*.html ${page_source}/package.json ${page_source}/package-lock.json
-  ${page_source}/tsconfig.json ${page_source}/vite.*.js
+file(GLOB page_files CONFIGURE_DEPENDS
+  ${page_source}/*.html ${page_source}/*.json ${page_source}/*.js)
+file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS
   ${page_source}/src/* ${page_source}/mock/* ${page_source}/test/*)
-list(FILTER page_files EXCLUDE REGEX "/(node_modules|dist|dist_picture)/")
 set(PCL_CID_PAGE_DIR ${PROJECT_BINARY_DIR}/studio/page)
 add_custom_command(
   OUTPUT ${PCL_CID_PAGE_DIR}.stamp
@@ -28,7 +27,7 @@ add_custom_command(
     -DSOURCE=${page_source} -DWORK_DIR=${PCL_CID_PAGE_DIR} -DNPM=${PCL_CID_NPM}
     -P ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${PCL_CID_PAGE_DIR}.stamp
-  DEPENDS ${page_files} ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
+  DEPENDS ${page_files} ${page_sources} ${PROJECT_SOURCE_DIR}/cmake/build_page.cmake
   COMMENT "Building the pages of the studio and of --html"
   VERBATIM)
 add_custom_target(studio_page_files DEPENDS ${PCL_CID_PAGE_DIR}.stamp)

@@ -63,6 +63,14 @@ nameOfLabel(std::uint32_t label, const Picture& picture)
 }
 
 std::string
+nameOfNone(Picture::Kind kind)
+{
+  return kind == Picture::Kind::parts    ? "in no part"
+         : kind == Picture::Kind::groups ? "in no group"
+                                         : "no label";
+}
+
+std::string
 nameOf(std::uint32_t index, const PictureMarks& marks, const Picture& picture)
 {
   if (picture.kind == Picture::Kind::parts)
@@ -143,7 +151,7 @@ rowsOf(const PictureMarks& marks,
   }
   if (marks.points[0] > 0)
     rows.push_back({{"index", 0},
-                    {"name", parts.is_null() ? "no label" : "in no part"},
+                    {"name", nameOfNone(picture.kind)},
                     {"points", marks.points[0]}});
   return rows;
 }

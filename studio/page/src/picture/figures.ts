@@ -27,11 +27,11 @@ function ofHulls({ parts, exact_vertices, places, tightness }: Report, hulls: nu
   if (parts !== undefined) figures.push(['Parts', count(parts)]);
   if (parts !== undefined && hulls < parts) figures.push(['Hulls shown', count(hulls), 'Those of the parts with the most points']);
   if (exact_vertices !== undefined) figures.push(['Exact vertices', count(exact_vertices), 'Of all hulls before they were simplified']);
-  if (places) figures.push(['Refused', percent(places.refused_share), `Of ${count(places.free)} free places, those that the hulls refuse to a robot`]);
+  if (places) figures.push(['Places refused', percent(places.refused_share), `Of ${count(places.free)} free places, those that the hulls refuse to a robot`]);
   if (!tightness) return figures;
   figures.push(
     ['Volume', volume(tightness.volume), 'Of the union of the hulls'],
-    ['Free in it', percent(tightness.free_share), 'The share of the volume that is free space'],
+    ['Free space in it', percent(tightness.free_share), 'The share of the volume that is free space'],
     ['Hulls off', metres(tightness.max_concavity), `How far a hull strays from the scan at most; ${metres(tightness.mean_concavity)} in the mean`],
   );
   return figures;
