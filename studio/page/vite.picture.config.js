@@ -28,6 +28,7 @@ function onePage() {
       if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) this.error('The page would end where its script or style says so.');
       const policy = `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; img-src data:; base-uri 'none'; form-action 'none'`;
       const page = bundle['picture.html'];
+      if (page.source.split('<!-- data -->').length !== 2) this.error('The page has no gap for the data, or several.');
       page.source = page.source
         .replace(/ *<(script type="module"[^>]*><\/script|link rel="stylesheet"[^>]*)>\n?/g, '')
         .replace('<meta charset="utf-8" />', (meta) => `${meta}\n    <meta http-equiv="Content-Security-Policy" content="${policy}" />`)

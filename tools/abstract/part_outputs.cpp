@@ -165,10 +165,7 @@ writeParts(const AbstractSettings& settings,
            scene,
            run);
   }
-  Picture picture;
-  picture.kind = Picture::Kind::parts;
-  picture.parts = &abstracted.parts;
-  savePicture(settings.html, picture, scan, run);
+  savePicture(settings.html, pictureOf(abstracted.parts), scan, run);
   run.finish(settings.report);
 }
 

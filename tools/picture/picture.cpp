@@ -147,8 +147,8 @@ pointElements(const ShownPoints& shown,
     colors = ofShown(shown, colorsOf(cloud));
   elements += dataElement("colors", bytesOf(colors));
   std::vector<float> values;
-  if (!picture.values.empty())
-    values = ofShown(shown, picture.values);
+  if (picture.values != nullptr)
+    values = ofShown(shown, *picture.values);
   elements += dataElement("values", bytesOf(values));
   std::vector<std::uint32_t> labels;
   if (!marks.index.empty())

@@ -29,23 +29,37 @@ constexpr std::size_t most_picture_points = 200'000;
 /** \brief Most bytes of a picture's page. */
 constexpr std::size_t most_picture_bytes = 8'000'000;
 
-/** \brief What a picture shows of a scan besides its points and their colors: one of
- *  these. */
+/** \brief What a picture shows of a scan besides its points and their colors: labels,
+ *  parts or values, and null for the others. They are not copied and must live until
+ *  savePicture(). */
 struct Picture {
   enum class Kind { labels, groups, parts, values };
 
-  Kind kind = Kind::labels;
+  Kind kind;
   /** Of labels and groups: one for each point of the cloud; 0 for none. */
-  std::vector<std::uint32_t> labels{};
+  const std::vector<std::uint32_t>* labels = nullptr;
   /** What is known of labels; may be empty. */
   std::vector<NamedInstance> instances{};
-  /** In the frame of the file. They are not copied and must live until savePicture();
-   *  null for other kinds. */
+  /** In the frame of the file. */
   const std::vector<ConvexPart>* parts = nullptr;
   /** One for each point of the cloud, metres, and what they are. */
-  std::vector<float> values{};
+  const std::vector<float>* values = nullptr;
   std::string values_text{};
 };
+
+/** \brief A picture of parts. */
+inline Picture
+pictureOf(const std::vector<ConvexPart>& parts)
+{
+  return {Picture::Kind::parts, nullptr, {}, &parts};
+}
+
+/** \brief A picture of values, and what they are. */
+inline Picture
+pictureOf(const std::vector<float>& values, const std::string& text)
+{
+  return {Picture::Kind::values, nullptr, {}, nullptr, &values, text};
+}
 
 /** \brief Declare `--html`. */
 void

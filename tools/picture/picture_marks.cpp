@@ -117,8 +117,8 @@ marksOf(const Picture& picture, std::size_t cloud_size, const pcl::Indices& fini
             static_cast<std::uint32_t>(k + 1);
   }
   else {
-    marks.labels = labelsIn(picture.labels);
-    marks.index = indexByLabel(picture.labels, marks.labels);
+    marks.labels = labelsIn(*picture.labels);
+    marks.index = indexByLabel(*picture.labels, marks.labels);
     size = marks.labels.size();
   }
   marks.points.assign(size + 1, 0);

@@ -129,11 +129,8 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
   setFloats(cids, "cid", scan.cloud);
   writeScan(settings.output, scan.cloud, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
-  Picture picture;
-  picture.kind = Picture::Kind::values;
-  picture.values = cids;
-  picture.values_text = "CID from point " + std::to_string(cid_from);
-  savePicture(settings.html, picture, scan, run);
+  const std::string text = "CID from point " + std::to_string(cid_from);
+  savePicture(settings.html, pictureOf(cids, text), scan, run);
   run.finish(settings.report);
   return figuresOf(run.report);
 }

@@ -145,7 +145,7 @@ pictureOf(const SegmentSettings& settings, const SegmentedScan& result)
 {
   const bool has_labels = !settings.labels.empty() || !settings.labels_from.empty();
   return {has_labels ? Picture::Kind::labels : Picture::Kind::groups,
-          result.labels,
+          &result.labels,
           result.instances};
 }
 

@@ -61,7 +61,7 @@ writeSessionLabels(const std::string& tool, SegmentSettings settings)
   writeScan(settings.output, scan.cloud, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
   savePicture(
-      settings.html, {Picture::Kind::labels, labels, session.instances()}, scan, run);
+      settings.html, {Picture::Kind::labels, &labels, session.instances()}, scan, run);
   run.finish(settings.report);
   return figuresOf(run.report);
 }

@@ -169,9 +169,10 @@ protected:
 TEST_F(LargePicture, IsBelowItsLimit)
 {
   const tools::LoadedScan scan = coloredScan(1'000'000);
-  Picture picture;
+  std::vector<std::uint32_t> labels;
   for (std::size_t i = 0; i < scan.cloud.size(); ++i) // more than can be listed
-    picture.labels.push_back(static_cast<std::uint32_t>(i % 77'777));
+    labels.push_back(static_cast<std::uint32_t>(i % 77'777));
+  Picture picture{Picture::Kind::labels, &labels};
   picture.instances = {{5, std::string(2'000'000, 'x'), ""},
                        {6, "", std::string(100'000, '<')}};
   Report report;
@@ -188,7 +189,7 @@ TEST_F(LargePicture, IsBelowItsLimit)
         (std::size_t{page.colors[3 * i]} << 16 |
          std::size_t{page.colors[3 * i + 1]} << 8 | page.colors[3 * i + 2]) -
         1;
-    ASSERT_EQ(page.labels[i], picture.labels[point]);
+    ASSERT_EQ(page.labels[i], labels[point]);
     ASSERT_LT((page.position(i) - FileCoordinates(scan.cloud)[point]).norm(), 1e-4);
   }
 }
@@ -207,13 +208,10 @@ TEST_F(LargePicture, HasTheHullsOfTheLargestParts)
     parts[static_cast<std::size_t>(5000.0 *
                                    std::sqrt(static_cast<double>(i) / 200'000.0))]
         .indices.push_back(static_cast<int>(i));
-  Picture picture;
-  picture.kind = Picture::Kind::parts;
-  picture.parts = &parts;
   Report report;
   report.input = "scan.pcd";
   report.parts = &parts;
-  const PicturePage page = pageOf(picture, scan, report);
+  const PicturePage page = pageOf(tools::pictureOf(parts), scan, report);
   const std::size_t shown = page.facts["hulls"].size();
   EXPECT_GT(shown, 20u);
   EXPECT_LT(shown, 5000u);
