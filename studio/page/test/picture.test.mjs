@@ -36,7 +36,7 @@ async function open(html) {
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && page.problems.push(message.text()));
   page.on('pageerror', (error) => page.problems.push(String(error)));
   page.on('dialog', (dialog) => page.problems.push(dialog.message()) && dialog.dismiss());
-  context.on('request', (request) => request.url() !== url && !request.url().startsWith('data:') && page.problems.push(request.url()));
+  context.on('request', (request) => request.url().split('#')[0] !== url && !request.url().startsWith('data:') && page.problems.push(request.url()));
   await page.goto(url);
   await page.waitForFunction(() => window.picture);
   await idle(page);
@@ -62,6 +62,7 @@ async function setCeiling(page, share) {
 /** Rows come and go: it is taken from those of now. */
 const swatchOf = (page, row) =>
   page.evaluate((n) => getComputedStyle(document.querySelectorAll('.marks .swatch')[n]).backgroundColor.match(/\d+/g).map(Number), row);
+const colorsOf = (page) => page.getByLabel('What the colors say');
 const figure = (page, name) => page.locator('.figures > div', { has: page.locator(`dt:text-is("${name}")`) }).locator('dd').first().innerText();
 
 const pages = [
@@ -145,7 +146,7 @@ describe('a picture', { skip: tools ? false : 'needs the tools' }, () => {
       test('has the height as colors, too, with a legend', async () => {
         const start = await look(page);
         assert.ok(await page.locator('.legend').isHidden());
-        await page.locator('.toolbar select').selectOption('height');
+        await colorsOf(page).selectOption('height');
         const height = await look(page);
         assert.ok((await difference(browser, start, height)) > 0.1);
         assert.match(await page.locator('.legend').innerText(), /Height/);
@@ -196,11 +197,22 @@ describe('a picture', { skip: tools ? false : 'needs the tools' }, () => {
 
   test('shows the colors of a scan that has any', async () => {
     const page = await open('red.html');
-    assert.equal(await page.locator('.toolbar option').count(), 3);
+    assert.equal(await colorsOf(page).locator('option').count(), 3);
     assert.ok((await shareOfHue(browser, await look(page), [200, 0, 0])) < 0.001);
-    await page.locator('.toolbar select').selectOption('rgb');
+    await colorsOf(page).selectOption('rgb');
     await shot(page, 'picture_red');
     assert.ok((await shareOfHue(browser, await look(page), [200, 0, 0])) > 0.05);
+    assert.deepEqual(page.problems, []);
+  });
+
+  test('turns another axis up', async () => {
+    const page = await open('segment.html');
+    const start = await look(page);
+    await Promise.all([page.waitForEvent('load'), page.locator('select.up').selectOption('-y')]);
+    await page.waitForFunction(() => window.picture);
+    await shot(page, 'picture_up');
+    assert.ok((await difference(browser, start, await look(page))) > 0.2);
+    assert.equal(await page.locator('select.up').inputValue(), '-y');
     assert.deepEqual(page.problems, []);
   });
 

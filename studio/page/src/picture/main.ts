@@ -30,6 +30,7 @@ import type { Facts } from './data';
 import { figuresPanel } from './figures';
 import { MarksList } from './marks_list';
 import { makeToolbar } from './toolbar';
+import { upVector } from './up';
 
 declare global {
   interface Window {
@@ -75,7 +76,7 @@ function open(root: HTMLElement): void {
   root.replaceChildren(area);
 
   const spacing = spacingOf(cloud.positions, facts.points);
-  const view = new PointCloudView(canvas, cloud, table, hasColor, new Vector3(0, 0, 1), () => spacing);
+  const view = new PointCloudView(canvas, cloud, table, hasColor, upVector(), () => spacing);
   const section = new SectionCut(view, bounds);
   const picking = new Picking(view);
   const keys = new Keys();

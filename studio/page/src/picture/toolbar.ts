@@ -16,6 +16,7 @@ import type { SectionCut } from '../section';
 import { Toolbar } from '../toolbar';
 import type { ColorChoice } from './color_choice';
 import type { Facts } from './data';
+import { upMenu } from './up';
 
 export interface Bench {
   camera: Camera;
@@ -62,6 +63,7 @@ export function makeToolbar(bench: Bench): HTMLElement {
     'View',
     { name: 'home', text: 'Whole scan', title: 'The whole scan', icon: 'box', shortcut: 'H', run: home },
     { name: 'top', text: 'From above', title: 'From above', icon: 'above', shortcut: 'T', run: top },
+    upMenu(),
   );
   bar.fill();
   bar.element.append(el('span', { class: 'context hint', text: 'Drag: turn · Shift+drag: move · Wheel: zoom' }));
