@@ -26,10 +26,10 @@ const std::string group_options = "--threshold, --merges, --tree, --curve, --see
                                   "--coverage, --start-index or --group-samples";
 
 constexpr const char* about =
-    "Turn a scan into convex hulls. INPUT is a PCD or PLY file, a room folder of\n"
-    "S3DIS or a scan folder of ScanNet; OUTPUT is a mesh: .obj (an object for each\n"
-    "part, colors in an .mtl beside it), .ply (color and part number for each\n"
-    "face) or .stl.";
+    "Turn a scan into convex hulls. INPUT is a file of points (PCD, PLY, text,\n"
+    "NumPy, KITTI; - is the standard input), a mesh, a room folder of S3DIS or a scan\n"
+    "folder of ScanNet; OUTPUT is a mesh: .obj (an object for each part, colors in an\n"
+    ".mtl beside it), .ply (color and part number for each face) or .stl.";
 
 void
 declareMergeOptions(AbstractSettings& settings, CommandLine& line)

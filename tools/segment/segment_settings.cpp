@@ -26,10 +26,11 @@ namespace pcl_cid::tools {
 namespace {
 
 constexpr const char* about =
-    "Label every point of a scan by its CID-nearest seed. INPUT is a PCD or PLY file,\n"
-    "a room folder of S3DIS or a scan folder of ScanNet (with their `label` and\n"
-    "`semantic`); OUTPUT (.pcd or .ply) has the same points and fields, and the field\n"
-    "`label`.\n\n"
+    "Label every point of a scan by its CID-nearest seed. INPUT is a file of\n"
+    "points (PCD, PLY, text, NumPy, KITTI), a mesh, a room folder of S3DIS or a scan\n"
+    "folder of ScanNet (with their `label` and `semantic`); OUTPUT (.pcd or .ply) has\n"
+    "the same points and fields, and the field `label`. Either may be -, the standard\n"
+    "input or output.\n\n"
     "  1. pcl_cid_segment scan.pcd groups.pcd --propose seeds.csv\n"
     "  2. fill in the column `label` of seeds.csv (0 for none; empty: not asked)\n"
     "  3. pcl_cid_segment scan.pcd labelled.pcd --labels seeds.csv\n\n"
