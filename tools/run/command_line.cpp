@@ -14,9 +14,6 @@
 #include "man_page.h"
 #include "words.h"
 
-#include <pcl_cid/io/cloud_formats.h>
-#include <pcl_cid/io/output_files.h>
-#include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/version.h>
 
 #include <algorithm>
@@ -41,19 +38,6 @@ isThere(int argc, const char* const* argv, const std::vector<std::string>& names
       if (argv[i] == name)
         return true;
   return false;
-}
-
-/** Refuse a file name with another extension.
- *  \param[in] name what the user calls the file: OUTPUT, --labels */
-void
-requireExtension(const std::string& name,
-                 const std::string& path,
-                 const std::vector<std::string>& extensions)
-{
-  if (std::find(extensions.begin(), extensions.end(), extensionOf(path)) ==
-      extensions.end())
-    throw UsageError(name + " is '" + path + "'; its name must end in " +
-                     alternatives(extensions));
 }
 
 /** The options below a headline, as the parser and the help want them. */
@@ -94,34 +78,7 @@ printHelp(const ToolDescription& tool)
     std::cout << '\n' << parserOf(group);
 }
 
-/** "INPUT and OUTPUT are needed, 2 file names". */
-std::string
-needOf(const std::vector<FileArgument>& files)
-{
-  std::vector<std::string> names;
-  for (const FileArgument& file : files)
-    names.push_back(file.name);
-  if (names.empty())
-    return "No files are needed";
-  const bool is_one = names.size() == 1;
-  return boost::algorithm::join(names, " and ") + (is_one ? " is" : " are") +
-         " needed, " + std::to_string(names.size()) + " file name" +
-         (is_one ? "" : "s");
-}
-
 } // namespace
-
-FileArgument
-scanArgument(const std::string& name)
-{
-  return {name, scanExtensions()};
-}
-
-FileArgument
-outputArgument(const std::string& name, const std::vector<std::string>& extensions)
-{
-  return {name, extensions, true};
-}
 
 std::string
 optionName(const std::string& row)
@@ -277,7 +234,7 @@ CommandLine::parse(int argc,
   std::vector<std::string> given;
   if (!read(argc, argv, given))
     return false;
-  takeFiles(given, targets);
+  takeFiles(tool_.files, given, targets);
   return true;
 }
 
@@ -297,25 +254,8 @@ CommandLine::parseEither(int argc,
   if (std::count(given_.begin(), given_.end(), list_option) > 0)
     list = given;
   else
-    takeFiles(given, targets);
+    takeFiles(tool_.files, given, targets, list_option);
   return true;
-}
-
-void
-CommandLine::takeFiles(const std::vector<std::string>& given,
-                       const std::vector<std::string*>& targets) const
-{
-  const std::vector<FileArgument>& files = tool_.files;
-  if (given.size() != files.size())
-    throw UsageError(needOf(files) + "; given: " + std::to_string(given.size()) +
-                     (given.size() > files.size() && !tool_.list_option.empty()
-                          ? "; several scans need --" + tool_.list_option
-                          : ""));
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].is_checked && !(files[i].may_be_stream && given[i] == standard_output))
-      requireExtension(files[i].name, given[i], files[i].extensions);
-    *targets[i] = given[i];
-  }
 }
 
 bool

@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include "file_arguments.h"
 #include "tool_description.h"
 
 #include <pcl_cid/core/settings.h>
@@ -30,14 +31,6 @@ class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
-
-/** \brief A scan that is read: a file, or a folder of a data set. */
-FileArgument
-scanArgument(const std::string& name);
-
-/** \brief A file that is written. */
-FileArgument
-outputArgument(const std::string& name, const std::vector<std::string>& extensions);
 
 /** \brief The name of a row as an option: "start-index" for "start_index". */
 std::string
@@ -218,10 +211,6 @@ public:
 
 private:
   using Take = std::function<void(const std::string&)>;
-
-  void
-  takeFiles(const std::vector<std::string>& given,
-            const std::vector<std::string*>& targets) const;
 
   bool
   read(int argc, const char* const* argv, std::vector<std::string>& given);
