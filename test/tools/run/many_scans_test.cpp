@@ -176,6 +176,13 @@ TEST_F(ManyScansTest, MayBeListed)
   std::map<std::string, std::string> files = filesBelow("many");
   EXPECT_EQ(files.size(), 3u);
   EXPECT_EQ(files.count("scan.ply") + files.count("b.ply") + files.count("c.ply"), 3u);
+  const std::string piped = "cat " + file("list.txt") +
+                            " | " PCL_CID_TOOL_DIR "/pcl_cid_segment --scans-from - "
+                            "--cloud-format ply --output-dir " +
+                            file("piped");
+  EXPECT_EQ(run("/bin/sh", {"-c", piped}).exit_code, 0);
+  EXPECT_EQ(readText(file("piped/b.ply")), readText(file("many/b.ply")));
+  EXPECT_EQ(filesBelow("piped").size(), 2u);
   fs::remove_all(file("many"));
   fs::create_directory(file("many"));
   arguments[2] = file("no.txt");
