@@ -11,6 +11,7 @@
 #include "file_output.h"
 #include "parts.h"
 
+#include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_formats.h>
 
 #include <ostream>
@@ -28,11 +29,15 @@ path : str or os.PathLike
     beside it), .ply (color and part number for each face) or .stl (float32).
 parts : sequence of ConvexPart
     In the order of their numbers.
+name : str, optional
+    Before the names of objects and materials, where the format has those (.obj), so
+    that files of several scans can be loaded together: ASCII letters, digits and
+    underscores, a letter first.
 
 Raises
 ------
 ValueError
-    For another extension.
+    For another extension, and for a name that is not good.
 TypeError
     When one of the parts is none.
 CIDError
@@ -81,16 +86,18 @@ partsOf(const py::object& given)
 }
 
 void
-save(const py::object& path, const py::object& given)
+save(const py::object& path, const py::object& given, const std::string& name)
 {
   const std::string file = pathOf(path);
+  if (!name.empty())
+    blamingValues([&] { requirePartsName(name); });
   const std::vector<ConvexPart> parts = partsOf(given);
   const std::string materials = blamingValues([&] { return materialsBeside(file); });
   writeFile(
       file,
-      [&](std::ostream& stream) { writeMesh(stream, parts, file); },
+      [&](std::ostream& stream) { writeMesh(stream, parts, file, name); },
       materials,
-      [&](std::ostream& stream) { writeMaterials(stream, parts, file); });
+      [&](std::ostream& stream) { writeMaterials(stream, parts, file, name); });
 }
 
 } // namespace
@@ -142,7 +149,8 @@ bindParts(py::module_& module)
         return "<pcl_cid.ConvexPart of " + std::to_string(self.indices.size()) +
                " points, " + std::to_string(self.hull.vertices.size()) + " vertices>";
       });
-  module.def("save", &save, py::arg("path"), py::arg("parts"), save_doc);
+  module.def(
+      "save", &save, py::arg("path"), py::arg("parts"), py::arg("name") = "", save_doc);
 }
 
 } // namespace pcl_cid::python

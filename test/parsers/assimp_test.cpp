@@ -11,7 +11,9 @@
 #include "hulls.h"
 
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/mesh_formats.h>
 
+#include <fstream>
 #include <map>
 
 #include <assimp/Importer.hpp>
@@ -96,6 +98,26 @@ TEST_F(AssimpTest, FindsAMeshForEachPartOfAnOBJ)
       EXPECT_NEAR(color.b, partColor(i).blue / 255.0, 1e-6);
     }
   });
+}
+
+TEST_F(AssimpTest, FindsTheColorsOfAFileWithBlanksInItsName)
+{
+  const std::vector<ConvexPart>& parts = scenesToExport().front().parts;
+  const TemporaryFolder folder;
+  const std::string path = folder.file("my new hulls.obj");
+  std::ofstream mesh(path);
+  writeMesh(mesh, parts, path);
+  mesh.close();
+  std::ofstream materials(materialsBeside(path));
+  writeMaterials(materials, parts, path);
+  materials.close();
+  const aiScene& scene = open(path);
+  ASSERT_EQ(scene.mNumMeshes, parts.size());
+  aiColor3D color;
+  ASSERT_EQ(scene.mMaterials[scene.mMeshes[1]->mMaterialIndex]->Get(
+                AI_MATKEY_COLOR_DIFFUSE, color),
+            aiReturn_SUCCESS);
+  EXPECT_NEAR(color.g, partColor(1).green / 255.0, 1e-6);
 }
 
 TEST_F(AssimpTest, OpensTheMeshesOfAllPartsInOne)

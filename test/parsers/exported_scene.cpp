@@ -19,7 +19,7 @@ namespace pcl_cid::test {
 ExportedScene::ExportedScene(const PartScene& scene, const std::string& format)
 : content_(scene)
 {
-  description_.name = "Room \"A\" <1> & more";
+  description_.name = "Room_A1";
   description_.frame = "survey";
   description_.origin = sceneOrigin(scene.parts);
   description_.mesh_folder = "Teile \xC3\xBC & mehr";

@@ -12,6 +12,7 @@
 #include "cloud_files.h"
 #include "part_scenes.h"
 
+#include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/scene_export.h>
 
 #include <string>
@@ -67,12 +68,18 @@ public:
     return inFolder(reference);
   }
 
+  /** \brief The name of a part in scenes. */
+  std::string
+  partName(std::size_t part) const
+  {
+    return pcl_cid::partName(part, description_.name);
+  }
+
   /** \brief Path of the mesh of a part. */
   std::string
   mesh(std::size_t part) const
   {
-    return inFolder(description_.mesh_folder + "/" +
-                    partFileName(part, description_.mesh_extension));
+    return inFolder(description_.mesh_folder + "/" + partFileName(part, description_));
   }
 
 private:

@@ -83,7 +83,7 @@ TEST(GeometricShapes, FindsAnObjectForEachPart)
     ASSERT_EQ(objects.size(), exported.parts().size());
     for (std::size_t i = 0; i < objects.size(); ++i) {
       const TriangleMesh& hull = exported.parts()[i].hull;
-      EXPECT_EQ(objects[i].name, partName(i));
+      EXPECT_EQ(objects[i].name, exported.partName(i));
       EXPECT_NEAR(objects[i].color[0], partColor(i).red / 255.0, 1e-6);
       EXPECT_EQ(objects[i].color[3], 1.0);
       ASSERT_TRUE(objects[i].shape);

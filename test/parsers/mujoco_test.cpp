@@ -7,6 +7,7 @@
  * MJCF compiled and simulated by MuJoCo.
  */
 
+#include "composed_scenes.h"
 #include "exported_scene.h"
 #include "simple_bodies.h"
 
@@ -97,13 +98,107 @@ TEST(MuJoCo, CompilesAGeomForEachPartAndSteps)
     mj_step(simulation.model.get(), simulation.data.get());
     EXPECT_GT(simulation.data->time, 0.0);
     for (int i = 0; i < parts; ++i) {
-      EXPECT_EQ(simulation.nameOf(mjOBJ_GEOM, i), partName(i));
+      EXPECT_EQ(simulation.nameOf(mjOBJ_GEOM, i), exported.partName(i));
       const Eigen::AlignedBox3d expected = boxOf(exported.parts()[i].hull);
       const Eigen::AlignedBox3d box = boxOfGeom(simulation, i);
       EXPECT_LT((box.min() - expected.min()).norm(), 1e-5) << partName(i);
       EXPECT_LT((box.max() - expected.max()).norm(), 1e-5) << partName(i);
     }
   });
+}
+
+/** MuJoCo keeps a vertex for each corner of an OBJ's triangles. */
+std::size_t
+distinctVertices(const mjModel& model, int mesh)
+{
+  std::set<std::array<float, 3>> vertices;
+  for (int i = 0; i < model.mesh_vertnum[mesh]; ++i) {
+    const float* const v = model.mesh_vert + 3 * (model.mesh_vertadr[mesh] + i);
+    vertices.insert({v[0], v[1], v[2]});
+  }
+  return vertices.size();
+}
+
+/** A model that includes both scenes.
+ *  \param[in] compiler of its own */
+std::string
+including(const ComposedScenes& scenes, const std::string& compiler = "")
+{
+  std::string text = "<mujoco>" + compiler;
+  for (const ComposedScenes::Member& member : scenes.members())
+    text += "<include file=\"scenes/" + member.description.name + ".xml\"/>";
+  const std::string path = scenes.file("both.xml");
+  writeText(path, text + "</mujoco>");
+  return path;
+}
+
+/** Each part once, where it is, in its color, with all its vertices. */
+void
+expectAllParts(const Simulation& simulation, const ComposedScenes& scenes)
+{
+  const mjModel& model = *simulation.model;
+  ASSERT_EQ(model.ngeom, static_cast<int>(scenes.numberOfParts()));
+  ASSERT_EQ(model.nmesh, model.ngeom);
+  for (const ComposedScenes::Member& member : scenes.members())
+    for (std::size_t i = 0; i < member.parts().size(); ++i) {
+      const std::string name = member.partName(i);
+      const int geom = mj_name2id(&model, mjOBJ_GEOM, name.c_str());
+      ASSERT_GE(geom, 0) << name;
+      const int mesh = model.geom_dataid[geom];
+      EXPECT_EQ(simulation.nameOf(mjOBJ_MESH, mesh), name);
+      const TriangleMesh& hull = member.parts()[i].hull;
+      EXPECT_EQ(distinctVertices(model, mesh), hull.vertices.size()) << name;
+      EXPECT_EQ(model.mesh_facenum[mesh], static_cast<int>(hull.triangles.size()));
+      EXPECT_NEAR(model.geom_rgba[4 * geom], partColor(i).red / 255.0, 1e-6);
+      const Eigen::AlignedBox3d expected = boxOf(hull);
+      const Eigen::AlignedBox3d box = boxOfGeom(simulation, geom);
+      EXPECT_LT((box.min() - expected.min()).norm(), 1e-5) << name;
+      EXPECT_LT((box.max() - expected.max()).norm(), 1e-5) << name;
+    }
+}
+
+TEST(MuJoCo, IncludesTwoScenesWhoseMeshesAreFoundFromTheModel)
+{
+  for (const std::string folder : {"", "meshes"}) // an absolute path, one as seen there
+    forEachComposition(folder, [](const ComposedScenes& scenes) {
+      Simulation simulation(including(scenes));
+      mj_step(simulation.model.get(), simulation.data.get());
+      expectAllParts(simulation, scenes);
+    });
+  // What is relative counts from the model's own meshdir.
+  forEachComposition(".", [](const ComposedScenes& scenes) {
+    Simulation simulation(including(scenes, "<compiler meshdir=\"meshes\"/>"));
+    mj_step(simulation.model.get(), simulation.data.get());
+    expectAllParts(simulation, scenes);
+  });
+}
+
+/** As the comment in the file says, and the documentation. */
+TEST(MuJoCo, DoesNotFindMeshesFromTheIncludedScene)
+{
+  const PartScene parts = thinParts(Eigen::Vector3d::Zero());
+  const ComposedScenes scenes(parts, parts, "../meshes");
+  EXPECT_NO_THROW(Simulation{scenes.file("scenes/hall.xml")});
+  EXPECT_THROW(Simulation{including(scenes)}, std::runtime_error);
+}
+
+TEST(MuJoCo, RefusesTwoScenesOfOneName)
+{
+  const PartScene parts = thinParts(Eigen::Vector3d::Zero());
+  const ComposedScenes scenes(parts, parts, "", ".obj", {"hall", "hall"});
+  writeText(scenes.file("scenes/copy.xml"), readText(scenes.file("scenes/hall.xml")));
+  const std::string both = scenes.file("both.xml");
+  writeText(both,
+            "<mujoco><include file=\"scenes/hall.xml\"/>"
+            "<include file=\"scenes/copy.xml\"/></mujoco>");
+  try {
+    const Simulation simulation(both);
+    FAIL() << "names may be repeated";
+  }
+  catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("repeated name"), std::string::npos)
+        << error.what();
+  }
 }
 
 constexpr double ball_radius = 0.05;
@@ -153,7 +248,7 @@ TEST(MuJoCo, LetsABallRestOnATableTop)
         const std::set<std::string> touching{
             simulation.nameOf(mjOBJ_GEOM, contact.geom1),
             simulation.nameOf(mjOBJ_GEOM, contact.geom2)};
-        EXPECT_EQ(touching, (std::set<std::string>{"ball", partName(table)}));
+        EXPECT_EQ(touching, (std::set<std::string>{"ball", exported.partName(table)}));
         EXPECT_NEAR(contact.pos[2], top.max().z(), 1e-3);
       }
     }
@@ -210,7 +305,7 @@ TEST(MuJoCo, ReadsPrimitivesThatHoldThePointsOfTheirParts)
         simpleBodies(findSceneFormat("MJCF")->primitives, offset);
     const TemporaryFolder folder;
     writeText(folder.file("scene.xml"), bodies.textIn("MJCF"));
-    std::ofstream mesh(folder.file("part_004.obj"));
+    std::ofstream mesh(folder.file(partFileName(4, bodies.description)));
     writePartMesh(mesh, bodies.content.parts, 4, bodies.description);
     mesh.close();
     Simulation simulation(folder.file("scene.xml"));

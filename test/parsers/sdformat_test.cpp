@@ -7,6 +7,7 @@
  * SDF opened by libsdformat, Gazebo's parser.
  */
 
+#include "composed_scenes.h"
 #include "exported_scene.h"
 #include "simple_bodies.h"
 
@@ -35,11 +36,27 @@ expectMesh(const sdf::Geometry& geometry,
   EXPECT_EQ(pose, ignition::math::Pose3d(origin.x(), origin.y(), origin.z(), 0, 0, 0));
 }
 
+/** What is a warning otherwise is an error. */
+sdf::ParserConfig
+strict()
+{
+  sdf::ParserConfig config;
+  config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
+  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
+  return config;
+}
+
+bool
+isConvexForDrake(const sdf::ElementPtr& mesh)
+{
+  return mesh->HasElement("drake:declare_convex");
+}
+
 TEST(SDFormat, FindsACollisionAndAVisualForEachPart)
 {
   forEachExportedScene([](const ExportedScene& exported) {
     sdf::Root root;
-    for (const sdf::Error& error : root.Load(exported.file("scene.sdf")))
+    for (const sdf::Error& error : root.Load(exported.file("scene.sdf"), strict()))
       ADD_FAILURE() << error.Message();
     EXPECT_EQ(root.Element()->OriginalVersion(), "1.9");
     ASSERT_NE(root.Model(), nullptr);
@@ -53,13 +70,71 @@ TEST(SDFormat, FindsACollisionAndAVisualForEachPart)
     ASSERT_EQ(link.VisualCount(), exported.parts().size());
     for (std::size_t i = 0; i < exported.parts().size(); ++i) {
       const sdf::Collision& collision = *link.CollisionByIndex(i);
-      EXPECT_EQ(collision.Name(), partName(i));
+      EXPECT_EQ(collision.Name(), exported.partName(i));
       expectMesh(*collision.Geom(), collision.RawPose(), i, exported);
+      EXPECT_TRUE(isConvexForDrake(collision.Geom()->MeshShape()->Element()));
       const sdf::Visual& visual = *link.VisualByIndex(i);
       expectMesh(*visual.Geom(), visual.RawPose(), i, exported);
+      EXPECT_FALSE(isConvexForDrake(visual.Geom()->MeshShape()->Element()));
       ASSERT_NE(visual.Material(), nullptr);
       EXPECT_NEAR(visual.Material()->Diffuse().B(), partColor(i).blue / 255.0, 1e-6);
     }
+  });
+}
+
+/** All parts of both scenes, in one model or in two.
+ *  \param[in] links of the scenes, in their order */
+void
+expectParts(const std::vector<const sdf::Link*>& links, const ComposedScenes& scenes)
+{
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const ComposedScenes::Member& member = scenes.members()[k];
+    ASSERT_NE(links[k], nullptr);
+    ASSERT_EQ(links[k]->CollisionCount(), member.parts().size());
+    for (std::size_t i = 0; i < member.parts().size(); ++i) {
+      const sdf::Collision* collision = links[k]->CollisionByName(member.partName(i));
+      ASSERT_NE(collision, nullptr) << member.partName(i);
+      EXPECT_EQ(collision->Geom()->MeshShape()->Uri(),
+                "model://rooms/" + partFileName(i, member.description));
+      const Eigen::Vector3d& origin = member.description.origin;
+      EXPECT_EQ(collision->RawPose(),
+                ignition::math::Pose3d(origin.x(), origin.y(), origin.z(), 0, 0, 0));
+    }
+  }
+}
+
+TEST(SDFormat, IncludesTwoScenesInOneWorldOrModel)
+{
+  forEachComposition("model://rooms", [](const ComposedScenes& scenes) {
+    sdf::ParserConfig config = strict();
+    config.SetFindCallback(
+        [&](const std::string& uri) { return scenes.file("scenes/" + uri); });
+    const auto including = [](const std::string& attribute) {
+      return "<include" + attribute + "><uri>hall.sdf</uri></include><include" +
+             attribute + "><uri>kitchen.sdf</uri></include>";
+    };
+    sdf::Root root;
+    for (const sdf::Error& error :
+         root.LoadSdfString("<sdf version=\"1.9\"><world name=\"all\">" +
+                                including("") + "</world></sdf>",
+                            config))
+      ADD_FAILURE() << error.Message();
+    const sdf::World& world = *root.WorldByIndex(0);
+    ASSERT_EQ(world.ModelCount(), 2u);
+    expectParts({world.ModelByName("hall")->LinkByName("hall"),
+                 world.ModelByName("kitchen")->LinkByName("kitchen")},
+                scenes);
+    // Links and all else side by side in one model.
+    sdf::Root merged;
+    for (const sdf::Error& error :
+         merged.LoadSdfString("<sdf version=\"1.9\"><model name=\"both\">" +
+                                  including(" merge=\"true\"") + "</model></sdf>",
+                              config))
+      ADD_FAILURE() << error.Message();
+    ASSERT_EQ(merged.Model()->LinkCount(), 2u);
+    expectParts(
+        {merged.Model()->LinkByName("hall"), merged.Model()->LinkByName("kitchen")},
+        scenes);
   });
 }
 
@@ -70,7 +145,7 @@ TEST(SDFormat, ReservesTheNamesThatWeRefuse)
   writeSDF(text, parts, {});
   const auto has_errors = [&](const std::string& frame) {
     std::string renamed = text.str();
-    const std::string link = "<link name=\"map\">";
+    const std::string link = "<link name=\"convex_parts\">";
     renamed.replace(renamed.find(link), link.size(), "<link name=\"" + frame + "\">");
     sdf::Root root;
     return !root.LoadSdfString(renamed).empty();

@@ -7,6 +7,7 @@
  * URDF opened by urdfdom, ROS's parser, and by its tool check_urdf.
  */
 
+#include "composed_scenes.h"
 #include "exported_scene.h"
 #include "simple_bodies.h"
 
@@ -71,7 +72,7 @@ TEST(Urdfdom, FindsACollisionAndAVisualForEachPart)
     ASSERT_EQ(link.visual_array.size(), exported.parts().size());
     for (std::size_t i = 0; i < exported.parts().size(); ++i) {
       const urdf::Collision& collision = *link.collision_array[i];
-      EXPECT_EQ(collision.name, partName(i));
+      EXPECT_EQ(collision.name, exported.partName(i));
       expectMesh(*collision.geometry, collision.origin, i, exported);
       const urdf::Visual& visual = *link.visual_array[i];
       expectMesh(*visual.geometry, visual.origin, i, exported);
@@ -92,6 +93,52 @@ TEST(Urdfdom, HasNothingAgainstTheFileInItsTool)
     EXPECT_NE(output.find("root Link: survey"), std::string::npos) << output;
     EXPECT_EQ(output.find("Error"), std::string::npos) << output;
     EXPECT_EQ(output.find("Warning"), std::string::npos) << output;
+  });
+}
+
+/** What is between the robot's tags. */
+std::string
+linkIn(const std::string& urdf)
+{
+  const std::size_t first = urdf.find("  <link");
+  return urdf.substr(first, urdf.rfind("</robot>") - first);
+}
+
+/** As xacro puts them together: both links, held by joints to one more. */
+TEST(Urdfdom, TakesTwoScenesInOneRobot)
+{
+  const std::string uri = "package://my_robot/meshes";
+  forEachComposition(uri, [&](const ComposedScenes& scenes) {
+    std::string text = "<robot name=\"both\"><link name=\"map\"/>";
+    for (const ComposedScenes::Member& member : scenes.members()) {
+      const std::string& name = member.description.name;
+      text += linkIn(readText(scenes.file("scenes/" + name + ".urdf"))) +
+              "<joint name=\"to_" + name +
+              "\" type=\"fixed\"><parent link=\"map\"/><child link=\"" + name +
+              "\"/></joint>";
+    }
+    writeText(scenes.file("both.urdf"), text + "</robot>");
+    const auto [output, status] =
+        outputOf(PCL_CID_CHECK_URDF " " + scenes.file("both.urdf"));
+    EXPECT_EQ(status, 0) << output;
+    EXPECT_EQ(output.find("Error"), std::string::npos) << output;
+    const auto model = urdf::parseURDFFile(scenes.file("both.urdf"));
+    ASSERT_TRUE(model);
+    ASSERT_EQ(model->links_.size(), 3u);
+    // Materials belong to the robot: each part has its own.
+    EXPECT_EQ(model->materials_.size(), scenes.numberOfParts());
+    for (const ComposedScenes::Member& member : scenes.members()) {
+      const urdf::Link& link = *model->getLink(member.description.name);
+      ASSERT_EQ(link.collision_array.size(), member.parts().size());
+      for (std::size_t i = 0; i < member.parts().size(); ++i) {
+        EXPECT_EQ(link.collision_array[i]->name, member.partName(i));
+        const auto& mesh =
+            static_cast<const urdf::Mesh&>(*link.collision_array[i]->geometry);
+        EXPECT_EQ(mesh.filename, uri + "/" + partFileName(i, member.description));
+        EXPECT_NEAR(
+            link.visual_array[i]->material->color.r, partColor(i).red / 255.0, 1e-6);
+      }
+    }
   });
 }
 

@@ -127,6 +127,18 @@ requireReader(const AbstractSettings& settings)
                      format.name + "; choose another format");
 }
 
+/** A mesh of a format without names, alone, has no use for one. */
+void
+requireNamedParts(const AbstractSettings& settings)
+{
+  const SceneSettings& scenes = settings.scenes;
+  const MeshFormat& format = meshFormatOf(settings.output);
+  if (!scenes.name.empty() && !format.names_parts && scenes.parts_dir.empty() &&
+      scenes.wanted().empty())
+    throw UsageError("--name has no effect without a scene or --parts-dir, as " +
+                     format.name + " names no parts");
+}
+
 } // namespace
 
 MergingRule
@@ -204,6 +216,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   requireReader(settings);
   requireFittingRule(settings);
   checkSceneOptions(settings.scenes);
+  requireNamedParts(settings);
   return true;
 }
 

@@ -166,8 +166,7 @@ verifyParts(const std::string& folder,
   for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
     if (primitiveOf(k, scene))
       continue;
-    const std::string path =
-        std::filesystem::path(folder) / partFileName(k, scene.mesh_extension);
+    const std::string path = std::filesystem::path(folder) / partFileName(k, scene);
     check(path, [&] {
       const StoredHulls stored =
           readHulls(path, {verification.abstracted.parts[k]}, outputs);

@@ -89,15 +89,18 @@ requireRoomForFloat(const std::string& path,
 void
 saveMesh(const std::string& path,
          const std::vector<ConvexPart>& parts,
+         const std::string& name,
          OutputFiles& outputs)
 {
   const MeshFormat& format = meshFormatOf(path);
   if (format.is_float)
     requireThickInFloat(path, format, parts);
-  outputs.write(path, [&](std::ostream& stream) { writeMesh(stream, parts, path); });
+  outputs.write(path,
+                [&](std::ostream& stream) { writeMesh(stream, parts, path, name); });
   if (const std::string materials = materialsBeside(path); !materials.empty())
-    outputs.write(materials,
-                  [&](std::ostream& stream) { writeMaterials(stream, parts, path); });
+    outputs.write(materials, [&](std::ostream& stream) {
+      writeMaterials(stream, parts, path, name);
+    });
 }
 
 } // namespace pcl_cid::tools

@@ -18,6 +18,7 @@
 
 #include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/io/mesh_export.h>
+#include <pcl_cid/io/scan_source.h>
 
 #include <optional>
 #include <ostream>
@@ -88,14 +89,14 @@ save(const AbstractSettings& settings,
      Run& run)
 {
   run.begin("Saving " + settings.output);
-  saveMesh(settings.output, result.parts, run.outputs);
+  saveMesh(settings.output, result.parts, settings.scenes.name, run.outputs);
   if (!settings.labels.empty())
     writeLabels(settings, result.parts, cloud, run.outputs);
   if (!settings.tree.empty())
     run.outputs.write(settings.tree,
                       [&](std::ostream& s) { s << toJson(result.tree); });
-  const SceneDescription scene =
-      writeScenes(settings.scenes, result.parts, result.primitives, run);
+  const SceneDescription scene = writeScenes(
+      settings.scenes, scanName(settings.input), result.parts, result.primitives, run);
   run.end(std::to_string(result.parts.size()) + " parts", "save");
   return scene;
 }

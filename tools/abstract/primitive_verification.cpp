@@ -104,7 +104,7 @@ verify(const NamedPrimitives& primitives,
     if (!primitiveOf(k, scene))
       continue;
     ++expected;
-    const auto found = primitives.find(partName(k));
+    const auto found = primitives.find(partName(k, scene.name));
     if (found == primitives.end())
       throw CIDException("the primitive of " + partName(k) + " is missing");
     auto broken =

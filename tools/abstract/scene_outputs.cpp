@@ -12,6 +12,7 @@
 #include "run/words.h"
 
 #include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_formats.h>
 
 #include <algorithm>
@@ -44,12 +45,17 @@ meshFormatWords()
   return withoutDots(partMeshExtensions());
 }
 
-/** What the settings say; the origin is that of the file. */
+/** What the settings say; the origin is that of the file. Scenes always have a name,
+ *  meshes alone have that which is asked for. */
 SceneDescription
-descriptionOf(const SceneSettings& settings)
+descriptionOf(const SceneSettings& settings, const std::string& scan)
 {
   SceneDescription description;
+  description.name = settings.name;
+  if (settings.name.empty() && !settings.wanted().empty())
+    description.name = partsNameFrom(scan);
   description.frame = settings.frame;
+  description.mesh_folder = settings.mesh_prefix;
   description.mesh_extension = "." + settings.parts_format;
   return description;
 }
@@ -76,10 +82,12 @@ meshFolderFrom(const std::string& scene, const std::string& parts_folder)
 
 /** Let go of parts that this run does not have, and of those in another format. */
 void
-announceOldParts(const std::string& folder, OutputFiles& outputs)
+announceOldParts(const std::string& folder,
+                 const SceneDescription& scene,
+                 OutputFiles& outputs)
 {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (isPartFileName(entry.path().filename().string()))
+    if (isPartFileName(entry.path().filename().string(), scene.name))
       outputs.announceRemoval(entry.path().string());
 }
 
@@ -89,11 +97,11 @@ writeParts(const std::string& folder,
            const SceneDescription& scene,
            OutputFiles& outputs)
 {
-  announceOldParts(folder, outputs);
+  announceOldParts(folder, scene, outputs);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (primitiveOf(i, scene))
       continue;
-    const std::string path = fs::path(folder) / partFileName(i, scene.mesh_extension);
+    const std::string path = fs::path(folder) / partFileName(i, scene);
     outputs.announce(path);
     outputs.write(path, [&](std::ostream& s) { writePartMesh(s, parts, i, scene); });
   }
@@ -105,8 +113,22 @@ describe(const SceneDescription& scene, Run& run)
   const std::string origin = wholeNumbers(scene.origin);
   if (!scene.origin.isZero())
     run.console.value("Origin of the parts' meshes", origin + " metres");
-  run.report.parameters.push_back({"frame", scene.frame});
+  run.report.parameters.push_back({"name", scene.name});
+  run.report.parameters.push_back({"frame", linkName(scene)});
   run.report.parameters.push_back({"meshes_origin", origin});
+}
+
+/** Errors get the name of an option. */
+template <typename Check>
+void
+checkFor(const std::string& option, const Check& check)
+{
+  try {
+    check();
+  }
+  catch (const CIDException& error) {
+    throw UsageError("--" + option + ": " + error.what());
+  }
 }
 
 /** Where the meshes of the parts go, and in what format. */
@@ -118,15 +140,23 @@ declareMeshOptions(SceneSettings& settings, CommandLine& line)
             "DIR",
             settings.parts_dir,
             "write the mesh of each part to this folder, made when missing: "
-            "part_000.obj, ...; part files of an earlier run in it go; default with " +
+            "NAME_part_000.obj, ...; part files of that name of an earlier run in it "
+            "go; default with " +
                 alternatives(optionsWith(refers, settings, "--")) +
-                ": NAME_parts beside the first of them");
+                ": FILE_parts beside the first of them");
   line.word("parts-format",
             "F",
             meshFormatWords(),
             settings.parts_format,
             "format of these meshes: " + alternatives(meshFormatWords()));
+  line.text("mesh-prefix",
+            "PREFIX",
+            settings.mesh_prefix,
+            "what stands before the names of these meshes in scenes: a folder, or, in "
+            "URDF and SDF, a URI such as package://my_robot/meshes; default: the path "
+            "to the folder from the scene");
   std::vector<std::string> asking = optionsWith(refers, settings);
+  line.require("mesh-prefix", asking);
   asking.insert(asking.begin(), "parts-dir");
   line.require("parts-format", asking);
 }
@@ -135,7 +165,6 @@ declareMeshOptions(SceneSettings& settings, CommandLine& line)
 
 SceneSettings::SceneSettings()
 : parts_format(SceneDescription().mesh_extension.substr(1))
-, frame(SceneDescription().frame)
 {
   for (const SceneFormat& format : sceneFormats())
     files.push_back({format, ""});
@@ -180,6 +209,12 @@ void
 declareSceneOptions(SceneSettings& settings, CommandLine& line)
 {
   line.group("Scenes for robot software (a mesh for each part)");
+  line.text("name",
+            "NAME",
+            settings.name,
+            "before the names of all parts, so that scenes of different names can be "
+            "loaded together: letters, digits and underscores; default in scenes: the "
+            "name of INPUT, elsewhere none");
   declareMeshOptions(settings, line);
   for (SceneFile& scene : settings.files)
     line.file(scene.format.option,
@@ -190,7 +225,7 @@ declareSceneOptions(SceneSettings& settings, CommandLine& line)
   line.text("frame",
             "NAME",
             settings.frame,
-            "the cloud's frame: the link in URDF and SDF; default " + settings.frame);
+            "the cloud's frame: the link in URDF and SDF; default NAME");
   line.require("frame", optionsWith(&SceneFormat::names_frame, settings));
   line.flag(
       "primitives",
@@ -209,18 +244,12 @@ checkSceneOptions(const SceneSettings& settings)
 {
   if (settings.primitives && settings.primitiveKinds().empty())
     throw UsageError("--primitives: one of the scenes is of a format without any");
-  for (const SceneFile& scene : settings.wanted()) {
-    if (!scene.format.check)
-      continue;
-    try {
-      scene.format.check(descriptionOf(settings));
-    }
-    catch (const CIDException& error) {
-      const std::string option =
-          scene.format.names_frame ? "frame" : scene.format.option;
-      throw UsageError("--" + option + ": " + error.what());
-    }
-  }
+  if (!settings.name.empty())
+    checkFor("name", [&] { requirePartsName(settings.name); });
+  for (const SceneFile& scene : settings.wanted())
+    if (scene.format.check)
+      checkFor(scene.format.option,
+               [&] { scene.format.check(descriptionOf(settings, "scan")); });
 }
 
 void
@@ -235,13 +264,14 @@ announceScenes(const SceneSettings& settings, OutputFiles& outputs)
 
 SceneDescription
 writeScenes(const SceneSettings& settings,
+            const std::string& scan,
             const std::vector<ConvexPart>& parts,
             const std::vector<std::optional<HullPrimitive>>& primitives,
             Run& run)
 {
   const std::string folder = settings.partsFolder();
   const std::vector<SceneFile> scenes = settings.wanted();
-  SceneDescription description = descriptionOf(settings);
+  SceneDescription description = descriptionOf(settings, scan);
   if (folder.empty() && scenes.empty())
     return description;
   description.origin = sceneOrigin(parts);
@@ -249,7 +279,7 @@ writeScenes(const SceneSettings& settings,
   if (!folder.empty())
     writeParts(folder, parts, description, run.outputs);
   for (const SceneFile& scene : scenes) {
-    if (scene.format.refers_to_meshes)
+    if (scene.format.refers_to_meshes && settings.mesh_prefix.empty())
       description.mesh_folder = meshFolderFrom(scene.path, folder);
     run.outputs.write(scene.path, [&](std::ostream& s) {
       scene.format.write(s, parts, description);

@@ -49,10 +49,13 @@ struct SceneSettings {
   primitiveKinds() const;
 
   std::vector<SceneFile> files;
+  std::string name; ///< of all parts; empty: that of the scan, in scenes
+  std::string
+      mesh_prefix; ///< what scenes name the folder of the meshes; empty: its path
   std::string parts_dir;
   std::string parts_format; ///< extension of the meshes, without the dot
-  std::string frame;
-  bool primitives = false; ///< instead of the meshes of parts that are nearly such
+  std::string frame;        ///< empty: the name
+  bool primitives = false;  ///< instead of the meshes of parts that are nearly such
 };
 
 /** \brief Declare an option for each format of scenes, and those for the meshes that
@@ -70,13 +73,15 @@ checkSceneOptions(const SceneSettings& settings);
 void
 announceScenes(const SceneSettings& settings, OutputFiles& outputs);
 
-/** \brief Write the scenes and the meshes of the parts; what an earlier run left in
- *  their folder goes with the commit. An origin that was subtracted from the meshes is
- *  told to the user and the report.
+/** \brief Write the scenes and the meshes of the parts; what an earlier run of the same
+ *  name left in their folder goes with the commit. An origin that was subtracted from
+ *  the meshes is told to the user and the report.
+ *  \param[in] scan its name, for scenes that were given none
  *  \param[in] primitives what stands for each part; empty: nothing does
  *  \return with the origin and the format of the meshes */
 SceneDescription
 writeScenes(const SceneSettings& settings,
+            const std::string& scan,
             const std::vector<ConvexPart>& parts,
             const std::vector<std::optional<HullPrimitive>>& primitives,
             Run& run);

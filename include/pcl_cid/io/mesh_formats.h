@@ -35,15 +35,22 @@ struct MeshFormat {
   /** Extension, with the dot, of the file beside the mesh that holds its colors; empty
    *  when they are in the mesh, or nowhere. */
   std::string materials_extension;
+  /** Whether the names of parts stand in it. */
+  bool names_parts = false;
   /** Write the hulls of parts.
    *  \param[in] materials name of the file of colors as seen from the mesh; of no
-   *  meaning to a format without one */
+   *  meaning to a format without one
+   *  \param[in] name of all the parts (see partName()); of no meaning to a format in
+   *  which no names stand */
   std::function<void(std::ostream& stream,
                      const std::vector<ConvexPart>& parts,
-                     const std::string& materials)>
+                     const std::string& materials,
+                     const std::string& name)>
       write;
   /** Write the file of colors; empty for a format without one. */
-  std::function<void(std::ostream& stream, const std::vector<ConvexPart>& parts)>
+  std::function<void(std::ostream& stream,
+                     const std::vector<ConvexPart>& parts,
+                     const std::string& name)>
       write_materials;
   /** Write one mesh under a name, as scenes refer to them; empty for a format in which
    *  they do not. */
@@ -59,25 +66,31 @@ struct MeshFormat {
  *  Look at the state of the stream afterwards to see whether it worked, or write
  *  through OutputFiles.
  *  \param[in] path name of the file
+ *  \param[in] name before the names of parts, where the format has those (see
+ *  partName())
  *  \throws CIDException when no format has this extension */
 PCL_CID_IO_EXPORT void
 writeMesh(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
-          const std::string& path);
+          const std::string& path,
+          const std::string& name = "");
 
-/** \brief The file of colors beside a mesh: "hulls.mtl" for "hulls.obj".
- *  \return empty when the format of the mesh has none
- *  \throws CIDException when no format has this extension */
+/** \brief The file of colors beside a mesh: "hulls.mtl" for "hulls.obj". A blank in the
+ *  name becomes an underscore, "my_hulls.mtl" for "my hulls.obj": programs that read
+ * OBJ do not agree on how it names a file with blanks. \return empty when the format of
+ * the mesh has none \throws CIDException when no format has this extension */
 PCL_CID_IO_EXPORT std::string
 materialsBeside(const std::string& path);
 
 /** \brief Write the file of colors of a mesh, if its format has one.
  *  \param[in] path name of the mesh, not of the colors
+ *  \param[in] name as in the mesh
  *  \throws CIDException when no format has this extension */
 PCL_CID_IO_EXPORT void
 writeMaterials(std::ostream& stream,
                const std::vector<ConvexPart>& parts,
-               const std::string& path);
+               const std::string& path,
+               const std::string& name = "");
 
 /** \brief All formats: OBJ, PLY, STL, then those that were registered. */
 PCL_CID_IO_EXPORT std::vector<MeshFormat>

@@ -27,16 +27,21 @@ namespace pcl_cid {
 
 /** \brief What the writers of scenes need to know besides the parts. */
 struct SceneDescription {
-  /** Name of the robot (URDF), the model (SDF, MJCF) or the scene (MoveIt). */
+  /** Name of the robot (URDF), the model (SDF, MJCF) or the scene (MoveIt); it also
+   *  stands before the names of all parts, in the scene and of their mesh files (see
+   *  partName()), so that scenes of different names can be loaded together. It must
+   *  pass requirePartsName(); only mesh files can do without it. */
   std::string name = "convex_parts";
-  /** The frame of the cloud: name of the one link in URDF and SDF. MJCF has the world
-   *  body in its place, MoveIt the frame that it plans in. */
-  std::string frame = "map";
+  /** The frame of the cloud: name of the one link in URDF and SDF; empty: the name of
+   *  the scene. MJCF has the world body in its place, MoveIt the frame that it plans
+   *  in. */
+  std::string frame;
   /** The origin of the meshes, in the frame of the parts: subtracted from their
    *  coordinates, and written as the pose of each of them; see sceneOrigin(). */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /** Folder with the meshes, as seen from the scene's file; empty when it is the same.
-   *  MoveIt needs none. */
+   *  In URDF and SDF it may be a URI: `package://my_robot/meshes`. MoveIt needs none.
+   */
   std::string mesh_folder;
   /** Extension of the meshes, with the dot, which says their format; one of
    *  partMeshExtensions(). */
@@ -59,18 +64,38 @@ sceneOrigin(const std::vector<ConvexPart>& parts);
 PCL_CID_IO_EXPORT TriangleMesh
 meshInScene(const ConvexPart& part, const SceneDescription& scene);
 
-/** \brief "part_000.obj", "part_001.obj", ...
+/** \brief "kitchen_part_000.obj", "kitchen_part_001.obj", ... in a scene of the name
+ *  "kitchen"; "part_000.obj" where the name is empty.
  *  \param[in] part its number, from 0
- *  \param[in] extension one of partMeshExtensions()
- *  \throws CIDException when it is another */
+ *  \throws CIDException when SceneDescription::mesh_extension is none of
+ *  partMeshExtensions() */
 PCL_CID_IO_EXPORT std::string
-partFileName(std::size_t part, const std::string& extension);
+partFileName(std::size_t part, const SceneDescription& scene);
 
 /** \brief Whether a file has a name that partFileName() gives for some part and some
  *  extension.
- *  \param[in] name without folder */
+ *  \param[in] file its name without folder
+ *  \param[in] name of the scene */
 PCL_CID_IO_EXPORT bool
-isPartFileName(const std::string& name);
+isPartFileName(const std::string& file, const std::string& name);
+
+/** \brief The link of a scene in URDF and SDF: SceneDescription::frame, or, where that
+ *  is empty, the name of the scene. */
+PCL_CID_IO_EXPORT const std::string&
+linkName(const SceneDescription& scene);
+
+/** \brief Refuse a folder of meshes that no URDF and no SDF can name: with control
+ *  characters, or a URI that does not begin with `package://`, `model://`, `file:///`,
+ *  `http://` or `https://`, or names nothing after that.
+ *  \throws CIDException */
+PCL_CID_IO_EXPORT void
+requireMeshFolder(const std::string& folder);
+
+/** \brief Refuse a folder of meshes that MJCF cannot name: with control characters, or
+ *  a URI, as MuJoCo reads files by their paths only.
+ *  \throws CIDException */
+PCL_CID_IO_EXPORT void
+requireMeshFolderForMJCF(const std::string& folder);
 
 /** \brief What stands in the place of the mesh of a part; null: nothing does. */
 PCL_CID_IO_EXPORT const HullPrimitive*
@@ -91,8 +116,8 @@ writePartMesh(std::ostream& stream,
  *
  *  Look at the state of the stream afterwards to see whether it worked, or write
  *  through OutputFiles; the same for all writers here.
- *  \throws CIDException when a name cannot be written in XML (control characters) or is
- *  empty */
+ *  \throws CIDException for a name that is not good (see requirePartsName()), and for
+ *  a frame or a folder that cannot be written in XML (control characters) */
 PCL_CID_IO_EXPORT void
 writeURDF(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
@@ -114,7 +139,11 @@ writeSDF(std::ostream& stream,
 
 /** \brief An MJCF: for each part a mesh asset and a geom of its color in the world
  *  body, which nothing moves.
- *  \throws CIDException as writeURDF() */
+ *
+ *  MuJoCo resolves the paths of meshes from the model that it opens. So where another
+ *  model in another folder includes this one, SceneDescription::mesh_folder must be
+ *  absolute, or as seen from that model and its `meshdir`.
+ *  \throws CIDException as writeURDF() and requireMeshFolderForMJCF() */
 PCL_CID_IO_EXPORT void
 writeMJCF(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
@@ -122,7 +151,7 @@ writeMJCF(std::ostream& stream,
 
 /** \brief A scene in MoveIt's text form (`.scene`): for each part a collision object
  *  with a mesh and its color.
- *  \throws CIDException when the scene's name is empty or holds control characters */
+ *  \throws CIDException for a name that is not good (see requirePartsName()) */
 PCL_CID_IO_EXPORT void
 writeMoveItScene(std::ostream& stream,
                  const std::vector<ConvexPart>& parts,

@@ -16,6 +16,8 @@
 namespace pcl_cid {
 namespace {
 
+namespace fs = std::filesystem;
+
 /** A new format is one more row here. */
 FormatTable<MeshFormat>&
 formatTable()
@@ -24,34 +26,48 @@ formatTable()
   return table;
 }
 
+/** At a blank some programs end the name, others do not; some want a backslash before
+ *  it, to others that is a letter of the name. */
+std::string
+withoutBlanks(std::string file)
+{
+  for (char& c : file)
+    if (c == ' ' || c == '\t')
+      c = '_';
+  return file;
+}
+
 } // namespace
 
 void
 writeMesh(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
-          const std::string& path)
+          const std::string& path,
+          const std::string& name)
 {
-  const std::filesystem::path materials = materialsBeside(path);
-  meshFormatOf(path).write(stream, parts, materials.filename().string());
+  const fs::path materials = materialsBeside(path);
+  meshFormatOf(path).write(stream, parts, materials.filename().string(), name);
 }
 
 std::string
 materialsBeside(const std::string& path)
 {
   const std::string& extension = meshFormatOf(path).materials_extension;
-  return extension.empty()
-             ? std::string()
-             : std::filesystem::path(path).replace_extension(extension).string();
+  if (extension.empty())
+    return "";
+  const fs::path beside = fs::path(path).replace_extension(extension);
+  return beside.parent_path() / withoutBlanks(beside.filename().string());
 }
 
 void
 writeMaterials(std::ostream& stream,
                const std::vector<ConvexPart>& parts,
-               const std::string& path)
+               const std::string& path,
+               const std::string& name)
 {
   const MeshFormat& format = meshFormatOf(path);
   if (format.write_materials)
-    format.write_materials(stream, parts);
+    format.write_materials(stream, parts, name);
 }
 
 std::vector<MeshFormat>

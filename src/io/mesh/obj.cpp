@@ -169,15 +169,16 @@ private:
 void
 writeOBJ(std::ostream& stream,
          const std::vector<ConvexPart>& parts,
-         const std::string& material_library)
+         const std::string& material_library,
+         const std::string& name)
 {
   stream << "mtllib " << material_library << '\n';
   std::size_t first_vertex = 1; // counted from 1, through all parts
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const TriangleMesh& hull = parts[i].hull;
-    std::string text = "o " + partName(i) + "\n";
+    std::string text = "o " + partName(i, name) + "\n";
     appendVertices(hull, text);
-    text += "usemtl " + partName(i) + "\n";
+    text += "usemtl " + partName(i, name) + "\n";
     appendFaces(hull, first_vertex, text);
     stream << text;
     first_vertex += hull.vertices.size();
@@ -194,11 +195,13 @@ writeOBJMesh(std::ostream& stream, const TriangleMesh& mesh, const std::string& 
 }
 
 void
-writeMTL(std::ostream& stream, const std::vector<ConvexPart>& parts)
+writeMTL(std::ostream& stream,
+         const std::vector<ConvexPart>& parts,
+         const std::string& name)
 {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const PartColor color = partColor(i);
-    std::string text = "newmtl " + partName(i) + "\nKd";
+    std::string text = "newmtl " + partName(i, name) + "\nKd";
     appendVector(Eigen::Vector3d(color.red, color.green, color.blue) / 255.0, text);
     stream << text << '\n';
   }
@@ -223,6 +226,7 @@ objFormat()
   format.name = "OBJ";
   format.extensions = {".obj"};
   format.materials_extension = ".mtl";
+  format.names_parts = true;
   format.write = writeOBJ;
   format.write_materials = writeMTL;
   format.write_mesh = writeOBJMesh;

@@ -240,6 +240,7 @@ plyMeshFormat()
   format.extensions = {".ply"};
   format.write = [](std::ostream& stream,
                     const std::vector<ConvexPart>& parts,
+                    const std::string&,
                     const std::string&) { writePLY(stream, parts); };
   format.read = readPLY;
   return format;

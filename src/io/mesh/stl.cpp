@@ -123,6 +123,7 @@ stlFormat()
   format.has_parts = false;
   format.write = [](std::ostream& stream,
                     const std::vector<ConvexPart>& parts,
+                    const std::string&,
                     const std::string&) { writeSTL(stream, parts); };
   format.write_mesh = [](std::ostream& stream,
                          const TriangleMesh& mesh,

@@ -21,6 +21,14 @@
 namespace pcl_cid {
 namespace {
 
+/** No compiler element with a `meshdir` says so: it would hold for the model that
+ *  includes this one, too. */
+constexpr const char* about_paths =
+    "  <!-- MuJoCo looks for meshes from the folder, and the meshdir, of the model "
+    "that\n"
+    "       it opens. To include this one from another, have it written with a mesh\n"
+    "       prefix that is absolute, or as seen from there. -->\n";
+
 /** What MuJoCo calls sizes: halves of lengths. */
 std::string
 sizeOf(const HullPrimitive& primitive)
@@ -43,7 +51,7 @@ mjcfGeometry(std::size_t part, const SceneDescription& scene)
 {
   const HullPrimitive* primitive = primitiveOf(part, scene, allKinds());
   if (!primitive)
-    return "type=\"mesh\" mesh=\"" + partName(part) + "\" pos=\"" +
+    return "type=\"mesh\" mesh=\"" + partName(part, scene.name) + "\" pos=\"" +
            numbers(scene.origin) + "\"";
   const Eigen::Quaterniond turn(primitive->axes);
   return std::string("type=\"") + nameOf(primitive->kind) + "\" size=\"" +
@@ -58,17 +66,18 @@ writeMJCF(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
           const SceneDescription& scene)
 {
-  requireName("the model's name", scene.name);
-  stream << xml_declaration << "<mujoco model=\"" << escaped(scene.name)
-         << "\">\n  <asset>\n";
+  requirePartsName(scene.name);
+  requireMeshFolderForMJCF(scene.mesh_folder);
+  stream << xml_declaration << "<mujoco model=\"" << scene.name << "\">\n"
+         << about_paths << "  <asset>\n";
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (!primitiveOf(i, scene, allKinds()))
-      stream << "    <mesh name=\"" << partName(i) << "\" file=\""
+      stream << "    <mesh name=\"" << partName(i, scene.name) << "\" file=\""
              << meshReference(i, scene) << "\"/>\n";
   stream << "  </asset>\n  <worldbody>\n";
   for (std::size_t i = 0; i < parts.size(); ++i)
-    stream << "    <geom name=\"" << partName(i) << "\" " << mjcfGeometry(i, scene)
-           << " rgba=\"" << rgba(i) << "\"/>\n";
+    stream << "    <geom name=\"" << partName(i, scene.name) << "\" "
+           << mjcfGeometry(i, scene) << " rgba=\"" << rgba(i) << "\"/>\n";
   stream << "  </worldbody>\n</mujoco>\n";
 }
 
@@ -81,6 +90,9 @@ mjcfFormat()
   format.extensions = {".xml", ".mjcf"};
   format.help = "write an MJCF for MuJoCo";
   format.refers_to_meshes = true;
+  format.check = [](const SceneDescription& scene) {
+    requireMeshFolderForMJCF(scene.mesh_folder);
+  };
   format.write = writeMJCF;
   format.primitives = allKinds();
   format.read_primitives = readPrimitivesOfMJCF;

@@ -74,10 +74,10 @@ writeMoveItScene(std::ostream& stream,
                  const std::vector<ConvexPart>& parts,
                  const SceneDescription& scene)
 {
-  requireName("the scene's name", scene.name);
+  requirePartsName(scene.name);
   stream << scene.name << '\n';
   for (std::size_t i = 0; i < parts.size(); ++i)
-    stream << "* " << partName(i) << '\n'
+    stream << "* " << partName(i, scene.name) << '\n'
            << moveItGeometry(i, parts, scene) << "0 0 0\n"
            << no_turn << rgba(i) << "\n0\n";
   stream << ".\n";

@@ -66,24 +66,24 @@ primitiveOf(std::size_t part, const SceneDescription& scene)
 }
 
 std::string
-partFileName(std::size_t part, const std::string& extension)
+partFileName(std::size_t part, const SceneDescription& scene)
 {
-  partMeshFormat(extension);
-  return partName(part) + extension;
+  partMeshFormat(scene.mesh_extension);
+  return partName(part, scene.name) + scene.mesh_extension;
 }
 
 bool
-isPartFileName(const std::string& name)
+isPartFileName(const std::string& file, const std::string& name)
 {
-  const std::size_t dot = name.rfind('.');
-  const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
+  const std::size_t dot = file.rfind('.');
+  const std::size_t digits = partName(0, name).rfind('_') + 1;
   if (dot == std::string::npos || digits > dot)
     return false;
-  const auto part = parseNumber<std::size_t>(name.substr(digits, dot - digits));
+  const auto part = parseNumber<std::size_t>(file.substr(digits, dot - digits));
   const std::vector<std::string> extensions = partMeshExtensions();
   return part &&
          std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
-           return name == partFileName(*part, extension);
+           return file == partName(*part, name) + extension;
          });
 }
 
@@ -94,7 +94,7 @@ writePartMesh(std::ostream& stream,
               const SceneDescription& scene)
 {
   partMeshFormat(scene.mesh_extension)
-      .write_mesh(stream, meshInScene(parts[part], scene), partName(part));
+      .write_mesh(stream, meshInScene(parts[part], scene), partName(part, scene.name));
 }
 
 } // namespace pcl_cid

@@ -11,6 +11,7 @@
 
 #include "base/sentence.h"
 #include "text/numbers.h"
+#include "text/path_names.h"
 
 #include <pcl_cid/io/mesh_export.h>
 
@@ -31,6 +32,14 @@ requirePrintable(const char* what, const std::string& text)
   if (std::any_of(text.begin(), text.end(), is_control))
     throw CIDException(
         sentence(what, " '", text, "' holds a control character; choose another name"));
+}
+
+constexpr const char* folder_of_meshes = "the folder of the meshes";
+
+bool
+isURI(const std::string& folder)
+{
+  return folder.find("://") != std::string::npos;
 }
 
 } // namespace
@@ -128,10 +137,46 @@ rollPitchYaw(const Eigen::Matrix3d& axes)
 std::string
 meshReference(std::size_t part, const SceneDescription& scene)
 {
-  requirePrintable("the folder of the meshes", scene.mesh_folder);
-  const std::string folder =
-      scene.mesh_folder.empty() ? std::string() : scene.mesh_folder + '/';
-  return escaped(folder + partFileName(part, scene.mesh_extension));
+  std::string folder = scene.mesh_folder;
+  if (!folder.empty() && folder.back() != '/')
+    folder += '/';
+  return escaped(folder + partFileName(part, scene));
+}
+
+const std::string&
+linkName(const SceneDescription& scene)
+{
+  return scene.frame.empty() ? scene.name : scene.frame;
+}
+
+void
+requireMeshFolder(const std::string& folder)
+{
+  requirePrintable(folder_of_meshes, folder);
+  const std::vector<std::string> beginnings = {
+      "package://", "model://", "file:///", "http://", "https://"};
+  const auto is_beginning = [&](const std::string& beginning) {
+    return folder.rfind(beginning, 0) == 0 &&
+           (folder.size() > beginning.size() || beginning == "file:///");
+  };
+  if (isURI(folder) && std::none_of(beginnings.begin(), beginnings.end(), is_beginning))
+    throw CIDException(sentence(folder_of_meshes,
+                                " is '",
+                                folder,
+                                "'; it must be a path, or begin with ",
+                                listed(beginnings),
+                                " and go on with a name"));
+}
+
+void
+requireMeshFolderForMJCF(const std::string& folder)
+{
+  requirePrintable(folder_of_meshes, folder);
+  if (isURI(folder))
+    throw CIDException(sentence(folder_of_meshes,
+                                " is '",
+                                folder,
+                                "'; MuJoCo reads no URI, it must be a path"));
 }
 
 } // namespace pcl_cid

@@ -62,8 +62,7 @@ allKinds();
 std::string
 rollPitchYaw(const Eigen::Matrix3d& axes);
 
-/** \brief Where the file of a scene finds the mesh of a part, for XML.
- *  \throws CIDException when the folder cannot be written in XML */
+/** \brief Where the file of a scene finds the mesh of a part, for XML. */
 std::string
 meshReference(std::size_t part, const SceneDescription& scene);
 

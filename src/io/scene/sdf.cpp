@@ -44,17 +44,30 @@ sdfShape(const HullPrimitive& primitive)
   }
 }
 
-/** Where a part is, and its shape. */
+/** Where a part is, and its shape.
+ *  \param[in] note what else there is to say about a mesh */
 std::string
-sdfGeometry(std::size_t part, const SceneDescription& scene)
+sdfGeometry(std::size_t part, const SceneDescription& scene, const std::string& note)
 {
   const HullPrimitive* primitive = primitiveOf(part, scene, allKinds());
   const std::string shape =
       primitive ? sdfShape(*primitive)
-                : element("mesh", element("uri", meshReference(part, scene)));
+                : element("mesh", element("uri", meshReference(part, scene)) + note);
   return "        <pose>" + numbers(primitive ? primitive->center : scene.origin) +
          " " + (primitive ? rollPitchYaw(primitive->axes) : "0 0 0") +
          "</pose>\n        " + element("geometry", shape) + "\n";
+}
+
+/** Drake takes such a mesh for a convex shape. To other programs it is an element of a
+ *  namespace that is not theirs. */
+constexpr const char* convex_for_drake = "<drake:declare_convex/>";
+
+void
+requireForSDF(const SceneDescription& scene)
+{
+  requirePartsName(scene.name);
+  requireFrameForSDF(linkName(scene));
+  requireMeshFolder(scene.mesh_folder);
 }
 
 } // namespace
@@ -77,21 +90,21 @@ writeSDF(std::ostream& stream,
          const std::vector<ConvexPart>& parts,
          const SceneDescription& scene)
 {
-  requireName("the model's name", scene.name);
-  requireFrameForSDF(scene.frame);
-  stream << xml_declaration << "<sdf version=\"1.9\">\n  <model name=\""
-         << escaped(scene.name) << "\">\n    <static>true</static>\n    <link name=\""
-         << escaped(scene.frame) << "\">\n";
+  requireForSDF(scene);
+  stream
+      << xml_declaration
+      << "<sdf version=\"1.9\" xmlns:drake=\"http://drake.mit.edu\">\n  <model name=\""
+      << scene.name << "\">\n    <static>true</static>\n    <link name=\""
+      << escaped(linkName(scene)) << "\">\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string name = partName(i);
-    const std::string geometry = sdfGeometry(i, scene);
+    const std::string name = partName(i, scene.name);
     const std::string color = rgba(i);
     stream << "      <visual name=\"" << name << "\">\n"
-           << geometry << "        <material><ambient>" << color
+           << sdfGeometry(i, scene, "") << "        <material><ambient>" << color
            << "</ambient><diffuse>" << color
            << "</diffuse></material>\n      </visual>\n      <collision name=\"" << name
            << "\">\n"
-           << geometry << "      </collision>\n";
+           << sdfGeometry(i, scene, convex_for_drake) << "      </collision>\n";
   }
   stream << "    </link>\n  </model>\n</sdf>\n";
 }
@@ -106,7 +119,7 @@ sdfFormat()
   format.help = "write an SDF 1.9: a static model";
   format.refers_to_meshes = true;
   format.names_frame = true;
-  format.check = [](const SceneDescription& scene) { requireFrameForSDF(scene.frame); };
+  format.check = requireForSDF;
   format.write = writeSDF;
   format.primitives = allKinds();
   format.read_primitives = readPrimitivesOfSDF;

@@ -55,12 +55,13 @@ writeURDF(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
           const SceneDescription& scene)
 {
-  requireName("the robot's name", scene.name);
-  requireName("the frame", scene.frame);
-  stream << xml_declaration << "<robot name=\"" << escaped(scene.name)
-         << "\">\n  <link name=\"" << escaped(scene.frame) << "\">\n";
+  requirePartsName(scene.name);
+  requireName("the frame", linkName(scene));
+  requireMeshFolder(scene.mesh_folder);
+  stream << xml_declaration << "<robot name=\"" << scene.name << "\">\n  <link name=\""
+         << escaped(linkName(scene)) << "\">\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string name = partName(i);
+    const std::string name = partName(i, scene.name);
     const std::string geometry = urdfGeometry(i, scene);
     stream << "    <visual name=\"" << name << "\">\n"
            << geometry << "      <material name=\"" << name << "\"><color rgba=\""
@@ -81,6 +82,9 @@ urdfFormat()
   format.help = "write a URDF: one link";
   format.refers_to_meshes = true;
   format.names_frame = true;
+  format.check = [](const SceneDescription& scene) {
+    requireMeshFolder(scene.mesh_folder);
+  };
   format.write = writeURDF;
   format.primitives = kindsWithoutCapsule();
   format.read_primitives = readPrimitivesOfURDF;

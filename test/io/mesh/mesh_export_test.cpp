@@ -167,6 +167,70 @@ TEST(MeshExport, GivesNeighboringPartsDifferentColors)
   EXPECT_EQ(partColor(256).red, partColor(0).red);
   EXPECT_EQ(partName(7), "part_007");
   EXPECT_EQ(partName(12345), "part_12345");
+  EXPECT_EQ(partName(7, "hall"), "hall_part_007");
+}
+
+TEST(PartsName, IsOfLettersDigitsAndUnderscores)
+{
+  for (const char* const name : {"a", "hall", "Hall_2", "a__", "world_2", "World"})
+    EXPECT_NO_THROW(requirePartsName(name)) << name;
+  for (const char* const name : {"",
+                                 "2nd",
+                                 "_hall",
+                                 "world",
+                                 "a b",
+                                 "a-b",
+                                 "a.b",
+                                 "a/b",
+                                 "a::b",
+                                 "a\n",
+                                 "K\xC3\xBC"
+                                 "che"})
+    try {
+      requirePartsName(name);
+      FAIL() << name << " passes";
+    }
+    catch (const CIDException& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("letters"), std::string::npos) << said;
+    }
+}
+
+TEST(PartsName, CanBeMadeOfAnyText)
+{
+  EXPECT_EQ(partsNameFrom("hall"), "hall");
+  EXPECT_EQ(partsNameFrom("Hall_2"), "Hall_2");
+  EXPECT_EQ(partsNameFrom("2nd floor (new)"), "scan_2nd_floor_new");
+  EXPECT_EQ(partsNameFrom("scene0000_00"), "scene0000_00");
+  EXPECT_EQ(partsNameFrom("K\xC3\xBC"
+                          "che"),
+            "K_che");
+  EXPECT_EQ(partsNameFrom("world"), "scan_world");
+  EXPECT_EQ(partsNameFrom("__a--b__"), "a_b");
+  EXPECT_EQ(partsNameFrom(""), "scan");
+  EXPECT_EQ(partsNameFrom("\xE6\x97\xA5"), "scan");
+  std::string all;
+  for (int c = 1; c < 256; ++c) {
+    all += static_cast<char>(c);
+    for (const std::string& text : {all, std::string(1, static_cast<char>(c))}) {
+      EXPECT_NO_THROW(requirePartsName(partsNameFrom(text))) << text;
+      EXPECT_EQ(partsNameFrom(partsNameFrom(text)), partsNameFrom(text));
+    }
+  }
+}
+
+TEST(OBJFile, NamesItsPartsAndTheirMaterialsAlike)
+{
+  std::ostringstream text;
+  writeOBJ(text, twoParts(), "hulls.mtl", "hall");
+  std::ostringstream materials;
+  writeMTL(materials, twoParts(), "hall");
+  EXPECT_EQ(occurrences(text.str(), "part_"), 4u);
+  for (const char* const name : {"hall_part_000\n", "hall_part_001\n"}) {
+    EXPECT_EQ(occurrences(text.str(), std::string("\no ") + name), 1u);
+    EXPECT_EQ(occurrences(text.str(), std::string("\nusemtl ") + name), 1u);
+    EXPECT_EQ(occurrences(materials.str(), std::string("newmtl ") + name), 1u);
+  }
 }
 
 TEST(MeshExport, MakesMeshesOfPCL)

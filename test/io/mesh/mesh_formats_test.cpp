@@ -73,6 +73,7 @@ TEST(WriteMesh, NeverTakesOneFormatForAnother)
 TEST(Materials, StandBesideAnOBJOnly)
 {
   EXPECT_EQ(materialsBeside("out/hulls.obj"), "out/hulls.mtl");
+  EXPECT_EQ(materialsBeside("my rooms/my hulls.v2.obj"), "my rooms/my_hulls.v2.mtl");
   EXPECT_EQ(materialsBeside("hulls.ply"), "");
   EXPECT_EQ(materialsBeside("hulls.stl"), "");
   EXPECT_THROW(materialsBeside("hulls.pcd"), CIDException);
@@ -85,6 +86,12 @@ TEST(Materials, StandBesideAnOBJOnly)
 
 TEST(MeshFormats, SayWhatTheyKeep)
 {
+  for (const MeshFormat& format : meshFormats()) {
+    std::ostringstream text;
+    format.write(text, someParts(), "colors", "hall");
+    EXPECT_EQ(text.str().find("hall_part_000") != std::string::npos, format.names_parts)
+        << format.name;
+  }
   EXPECT_FALSE(meshFormatOf("a.obj").is_float);
   EXPECT_TRUE(meshFormatOf("a.obj").has_parts);
   EXPECT_FALSE(meshFormatOf("a.ply").is_float);
@@ -118,14 +125,15 @@ countsFormat()
   format.materials_extension = ".colors";
   format.write = [](std::ostream& stream,
                     const std::vector<ConvexPart>& parts,
-                    const std::string& materials) {
+                    const std::string& materials,
+                    const std::string&) {
     stream << materials;
     for (const ConvexPart& part : parts)
       stream << ' ' << part.hull.triangles.size();
   };
-  format.write_materials = [](std::ostream& stream, const std::vector<ConvexPart>&) {
-    stream << "gray";
-  };
+  format.write_materials = [](std::ostream& stream,
+                              const std::vector<ConvexPart>&,
+                              const std::string&) { stream << "gray"; };
   format.write_mesh =
       [](std::ostream& stream, const TriangleMesh& mesh, const std::string& name) {
         stream << name << ' ' << mesh.triangles.size();
@@ -145,12 +153,12 @@ TEST(RegisteredMeshFormat, IsKnownToScenesToo)
   SceneDescription scene;
   scene.mesh_extension = ".counts";
   EXPECT_EQ(printed([&](std::ostream& s) { writePartMesh(s, someParts(), 0, scene); }),
-            "part_000 " + triangles);
+            "convex_parts_part_000 " + triangles);
   EXPECT_NE(printed([&](std::ostream& s) {
               writeURDF(s, someParts(), scene);
             }).find("part_000.counts"),
             std::string::npos);
-  EXPECT_TRUE(isPartFileName("part_007.counts"));
+  EXPECT_TRUE(isPartFileName("part_007.counts", ""));
 
   EXPECT_THROW(registerMeshFormat(countsFormat()), CIDException);
   MeshFormat half = countsFormat();

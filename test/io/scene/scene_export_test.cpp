@@ -65,7 +65,7 @@ TEST(PartMesh, KeepsMillimetersFarAway)
     scene.origin = sceneOrigin(far.parts);
     scene.mesh_extension = format;
     for (std::size_t i = 0; i < far.parts.size(); ++i) {
-      const std::string path = folder.file(partFileName(i, format));
+      const std::string path = folder.file(partFileName(i, scene));
       std::ostringstream stream;
       writePartMesh(stream, far.parts, i, scene);
       writeText(path, stream.str());
@@ -84,10 +84,23 @@ TEST(PartMesh, KeepsMillimetersFarAway)
 
 TEST(PartFileName, IsKnownAgain)
 {
-  for (const std::size_t part : {0u, 7u, 999u, 1000u, 123456u})
-    for (const std::string format : {".obj", ".stl"})
-      EXPECT_TRUE(isPartFileName(partFileName(part, format)));
-  EXPECT_EQ(partFileName(7, ".obj"), "part_007.obj");
+  SceneDescription scene;
+  for (const std::string name : {"", "hall", "part", "hall_2", "hall_part"})
+    for (const std::size_t part : {0u, 7u, 999u, 1000u, 123456u})
+      for (const std::string format : {".obj", ".stl"}) {
+        scene.name = name;
+        scene.mesh_extension = format;
+        const std::string file = partFileName(part, scene);
+        for (const std::string other : {"", "hall", "part", "hall_2", "hall_part"})
+          EXPECT_EQ(isPartFileName(file, other), other == name) << file << other;
+      }
+  scene.name = "hall";
+  scene.mesh_extension = ".obj";
+  EXPECT_EQ(partFileName(7, scene), "hall_part_007.obj");
+  scene.name.clear();
+  EXPECT_EQ(partFileName(7, scene), "part_007.obj");
+  scene.mesh_extension = ".ply";
+  EXPECT_THROW(partFileName(7, scene), CIDException);
   for (const char* const name : {"part_7.obj",
                                  "part_0007.obj",
                                  "part_007.OBJ",
@@ -101,13 +114,16 @@ TEST(PartFileName, IsKnownAgain)
                                  "7.obj",
                                  "",
                                  "."})
-    EXPECT_FALSE(isPartFileName(name)) << name;
+    EXPECT_FALSE(isPartFileName(name, "")) << name;
+  for (const char* const name : {"part_007.obj", "hall_part_7.obj", "hall_part_.obj"})
+    EXPECT_FALSE(isPartFileName(name, "hall")) << name;
 }
 
 TEST(SceneFiles, NameTheFrameTheMeshesAndThePose)
 {
   const PartScene far = thinParts(utmOffset());
   SceneDescription scene;
+  scene.name = "hall";
   scene.frame = "survey";
   scene.origin = {524288.0, 4194305.0, 102.0};
   scene.mesh_folder = "scan_parts";
@@ -115,16 +131,30 @@ TEST(SceneFiles, NameTheFrameTheMeshesAndThePose)
   for (const Writer write : {writeURDF, writeSDF, writeMJCF}) {
     const std::string text = written(write, far.parts, scene);
     for (std::size_t i = 0; i < far.parts.size(); ++i)
-      EXPECT_NE(text.find("scan_parts/" + partFileName(i, ".stl")), std::string::npos);
+      EXPECT_NE(text.find("scan_parts/" + partFileName(i, scene)), std::string::npos);
     EXPECT_NE(text.find("524288 4194305 102"), std::string::npos);
-    EXPECT_EQ(text.find("scan_parts/part_007"), std::string::npos);
+    EXPECT_EQ(text.find("scan_parts/hall_part_007"), std::string::npos);
   }
   EXPECT_NE(written(writeURDF, far.parts, scene).find("<link name=\"survey\">"),
             std::string::npos);
   EXPECT_NE(written(writeSDF, far.parts, scene).find("<link name=\"survey\">"),
             std::string::npos);
   scene.mesh_folder.clear();
-  EXPECT_NE(written(writeURDF, far.parts, scene).find("\"part_000.stl\""),
+  EXPECT_NE(written(writeURDF, far.parts, scene).find("\"hall_part_000.stl\""),
+            std::string::npos);
+  scene.frame.clear();
+  for (const Writer write : {writeURDF, writeSDF})
+    EXPECT_NE(written(write, far.parts, scene).find("<link name=\"hall\">"),
+              std::string::npos);
+  for (const char* const folder : {"package://robot/meshes", "package://robot/meshes/"})
+    for (const Writer write : {writeURDF, writeSDF}) {
+      scene.mesh_folder = folder;
+      EXPECT_NE(written(write, far.parts, scene)
+                    .find("package://robot/meshes/hall_part_000.stl"),
+                std::string::npos);
+    }
+  scene.mesh_folder = "/";
+  EXPECT_NE(written(writeMJCF, far.parts, scene).find("\"/hall_part_000.stl\""),
             std::string::npos);
 }
 
@@ -133,12 +163,15 @@ TEST(SceneFiles, RefuseNamesThatTheFormatsCannotHold)
   const std::vector<ConvexPart> parts = thinParts(Eigen::Vector3d::Zero()).parts;
   SceneDescription line_break;
   line_break.name = "two\nlines";
+  SceneDescription blank;
+  blank.name = "a room";
   SceneDescription empty;
   empty.name = "";
   SceneDescription bad_folder;
   bad_folder.mesh_folder = "a\x01z";
   for (const Writer write : {writeURDF, writeSDF, writeMJCF, writeMoveItScene}) {
     EXPECT_THROW(written(write, parts, line_break), CIDException);
+    EXPECT_THROW(written(write, parts, blank), CIDException);
     EXPECT_THROW(written(write, parts, empty), CIDException);
   }
   for (const Writer write : {writeURDF, writeSDF, writeMJCF})
@@ -157,6 +190,34 @@ TEST(SceneFiles, RefuseNamesThatTheFormatsCannotHold)
     EXPECT_NO_THROW(requireFrameForSDF(frame)) << frame;
 }
 
+TEST(SceneFiles, RefuseFoldersThatTheirReadersDoNotFind)
+{
+  const std::vector<ConvexPart> parts = thinParts(Eigen::Vector3d::Zero()).parts;
+  SceneDescription scene;
+  for (const char* const uri : {"package://robot/meshes",
+                                "model://kitchen",
+                                "file:///data/my meshes",
+                                "file:///",
+                                "http://host/meshes",
+                                "https://host/meshes"}) {
+    scene.mesh_folder = uri;
+    EXPECT_NO_THROW(written(writeURDF, parts, scene)) << uri;
+    EXPECT_NO_THROW(written(writeSDF, parts, scene)) << uri;
+    EXPECT_THROW(written(writeMJCF, parts, scene), CIDException) << uri;
+  }
+  for (const char* const uri :
+       {"package://", "model://", "file://data", "https://", "ftp://host/a", "://a"}) {
+    scene.mesh_folder = uri;
+    for (const Writer write : {writeURDF, writeSDF, writeMJCF})
+      EXPECT_THROW(written(write, parts, scene), CIDException) << uri;
+  }
+  for (const char* const path : {"", ".", "/", "../meshes", "/data/a b", "a:b"}) {
+    scene.mesh_folder = path;
+    for (const Writer write : {writeURDF, writeSDF, writeMJCF})
+      EXPECT_NO_THROW(written(write, parts, scene)) << path;
+  }
+}
+
 TEST(SceneFiles, HaveTheLayoutOfMoveItsText)
 {
   ConvexPart part;
@@ -170,7 +231,7 @@ TEST(SceneFiles, HaveTheLayoutOfMoveItsText)
   text.erase(color, text.find('\n', color) - color); // whatever color it is
   EXPECT_EQ(text,
             "kitchen\n"
-            "* part_000\n"
+            "* kitchen_part_000\n"
             "1 2 0\n"
             "0 0 0 1\n"
             "1\n"

@@ -81,7 +81,7 @@ listFormat()
                     const std::vector<ConvexPart>& parts,
                     const SceneDescription& scene) {
     for (std::size_t i = 0; i < parts.size(); ++i)
-      stream << partFileName(i, scene.mesh_extension) << '\n';
+      stream << partFileName(i, scene) << '\n';
   };
   return format;
 }
@@ -93,7 +93,9 @@ TEST(RegisteredSceneFormat, IsOneOfAll)
   EXPECT_EQ(sceneFormats().back().option, "list");
   SceneDescription scene;
   scene.mesh_extension = ".stl";
-  EXPECT_EQ(written(*findSceneFormat("LIST"), scene).rfind("part_000.stl\n", 0), 0u);
+  EXPECT_EQ(
+      written(*findSceneFormat("LIST"), scene).rfind("convex_parts_part_000.stl\n", 0),
+      0u);
 }
 
 TEST(RegisteredSceneFormat, MustBeNewAndWhole)

@@ -126,7 +126,7 @@ protected:
     description_.mesh_extension = format;
     OutputFiles outputs({});
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const std::string path = file(partFileName(i, format));
+      const std::string path = file(partFileName(i, description_));
       outputs.announce(path);
       outputs.write(path, [&](std::ostream& stream) {
         writePartMesh(stream, parts, i, description_);
@@ -196,7 +196,7 @@ TEST_F(HullVerification, NamesTheFileOfThePart)
   for (const auto& [change, guarantee] : tamperings)
     for (const std::string format : {".obj", ".stl"})
       expectBroken(complaintAboutFolder(tamperedWith(change), format),
-                   partFileName(1, format),
+                   "convex_parts_part_001" + format,
                    guarantee);
 }
 

@@ -101,7 +101,7 @@ TEST_F(SimplerBodies, PrimitivesAreVerifiedAndHaveNoMesh)
     const nlohmann::json& primitive = report["parts"][i]["primitive"];
     EXPECT_NE(primitive, "capsule"); // URDF and MoveIt have none
     const std::string name =
-        "part_0" + std::string(i < 10 ? "0" : "") + std::to_string(i);
+        "scan_part_0" + std::string(i < 10 ? "0" : "") + std::to_string(i);
     EXPECT_EQ(std::filesystem::exists(file("scene_parts/" + name + ".obj")),
               primitive.is_null());
     primitives += primitive.is_null() ? 0 : 1;
