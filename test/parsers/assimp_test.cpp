@@ -131,6 +131,36 @@ TEST_F(AssimpTest, OpensTheMeshesOfAllPartsInOne)
   });
 }
 
+TEST_F(AssimpTest, FindsTheNodesOfAGLTFWhereThePartsAre)
+{
+  forEachExportedScene([&](const ExportedScene& exported) {
+    const aiScene& scene = open(exported.file("scene.glb"));
+    const aiNode& root = *scene.mRootNode;
+    ASSERT_EQ(root.mNumChildren, exported.parts().size());
+    for (unsigned int i = 0; i < root.mNumChildren; ++i) {
+      const aiNode& node = *root.mChildren[i];
+      EXPECT_EQ(node.mName.C_Str(), exported.partName(i));
+      ASSERT_EQ(node.mNumMeshes, 1u);
+      const aiMesh& mesh = *scene.mMeshes[node.mMeshes[0]];
+      const TriangleMesh& hull = exported.parts()[i].hull;
+      ASSERT_EQ(mesh.mNumFaces, hull.triangles.size());
+      EXPECT_EQ(mesh.mNumVertices, hull.vertices.size());
+      expectClosed(mesh);
+      EXPECT_GT(volumeOf(mesh), 0.0);
+      const aiMatrix4x4 pose = root.mTransformation * node.mTransformation;
+      Eigen::AlignedBox3d box; // x, z, -y
+      for (unsigned int v = 0; v < mesh.mNumVertices; ++v) {
+        const aiVector3D place = pose * mesh.mVertices[v];
+        box.extend(Eigen::Vector3d(place.x, -place.z, place.y));
+      }
+      // Poses are in float there.
+      const double rounding = 1e-6 * (1.0 + exported.description().origin.norm());
+      EXPECT_LT((box.min() - boxOf(hull).min()).norm(), rounding);
+      EXPECT_LT((box.max() - boxOf(hull).max()).norm(), rounding);
+    }
+  });
+}
+
 TEST_F(AssimpTest, FindsEachPartsOwnMeshClosedAndFacingOutward)
 {
   forEachExportedScene([&](const ExportedScene& exported) {

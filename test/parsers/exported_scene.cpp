@@ -62,6 +62,10 @@ ExportedScene::writeScenes() const
   writeSDF(sdf, parts(), description_);
   std::ofstream mjcf(file("scene.xml"));
   writeMJCF(mjcf, parts(), description_);
+  std::ofstream gltf(file("scene.glb"), std::ios::binary);
+  writeGLTF(gltf, parts(), description_);
+  std::ofstream usd(file("scene.usda"));
+  writeUSD(usd, parts(), description_);
   std::ofstream moveit(file("scene.scene"));
   writeMoveItScene(moveit, parts(), description_);
 }

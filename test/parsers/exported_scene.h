@@ -53,8 +53,8 @@ public:
     return description_;
   }
 
-  /** \brief scene.urdf, scene.sdf, scene.xml, scene.scene, and hulls.obj, hulls.ply and
-   *  hulls.stl with all parts in one. */
+  /** \brief scene.urdf, scene.sdf, scene.xml, scene.scene, scene.glb, scene.usda, and
+   * hulls.obj, hulls.ply and hulls.stl with all parts in one. */
   std::string
   file(const std::string& name) const
   {

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <unordered_map>
 
 namespace pcl_cid::tools {
@@ -174,6 +175,35 @@ verifyParts(const std::string& folder,
           k, stored.hulls.front(), stored.is_float, Frame{scene.origin}, verification);
     });
   }
+}
+
+void
+verifyMeshesOf(const SceneFile& file,
+               const SceneDescription& scene,
+               const Verification& verification,
+               OutputFiles& outputs)
+{
+  if (!file.format.read_meshes)
+    return;
+  check(file.path, [&] {
+    std::ifstream stream(outputs.pathBeforeCommit(file.path), std::ios::binary);
+    const NamedMeshes meshes = file.format.read_meshes(stream);
+    std::size_t expected = 0;
+    for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
+      if (primitiveOf(k, scene))
+        continue;
+      ++expected;
+      const auto found = meshes.find(partName(k, scene.name));
+      if (found == meshes.end())
+        throw CIDException("the mesh of " + partName(k) + " is missing");
+      const PlacedMesh& placed = found->second;
+      verifyHull(
+          k, placed.mesh, file.format.is_float, Frame{placed.origin}, verification);
+    }
+    if (meshes.size() != expected)
+      throw CIDException("it has " + std::to_string(meshes.size()) +
+                         " meshes; it must have " + std::to_string(expected));
+  });
 }
 
 } // namespace pcl_cid::tools

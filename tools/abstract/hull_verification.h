@@ -11,6 +11,7 @@
 
 #include "abstracted_scan.h"
 #include "error_verification.h"
+#include "scene_outputs.h"
 
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/output_files.h>
@@ -45,5 +46,14 @@ verifyParts(const std::string& folder,
             const SceneDescription& scene,
             const Verification& verification,
             OutputFiles& outputs);
+
+/** \brief The same for the meshes that a scene holds itself; nothing for a format that
+ *  holds none, or whose row does not say how to read them.
+ *  \param[in] scene which parts must be there */
+void
+verifyMeshesOf(const SceneFile& file,
+               const SceneDescription& scene,
+               const Verification& verification,
+               OutputFiles& outputs);
 
 } // namespace pcl_cid::tools

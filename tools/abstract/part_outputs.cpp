@@ -112,9 +112,11 @@ verify(const AbstractSettings& settings,
   verifyMesh(settings.output, verification, run.outputs);
   if (const std::string folder = settings.scenes.partsFolder(); !folder.empty())
     verifyParts(folder, scene, verification, run.outputs);
-  if (settings.scenes.primitives)
-    for (const SceneFile& file : settings.scenes.wanted())
+  for (const SceneFile& file : settings.scenes.wanted()) {
+    verifyMeshesOf(file, scene, verification, run.outputs);
+    if (settings.scenes.primitives)
       verifyPrimitives(file, scene, verification, run.outputs);
+  }
   run.end("all guarantees hold", "verify");
 }
 

@@ -4,8 +4,8 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Convex parts as a scene for robot software: URDF, SDF, MJCF, MoveIt. scene_formats.h
- * has them in a table.
+ * Convex parts as a scene for robot software: URDF, SDF, MJCF, MoveIt, glTF, USD.
+ * scene_formats.h has them in a table.
  */
 
 #pragma once
@@ -27,20 +27,22 @@ namespace pcl_cid {
 
 /** \brief What the writers of scenes need to know besides the parts. */
 struct SceneDescription {
-  /** Name of the robot (URDF), the model (SDF, MJCF) or the scene (MoveIt); it also
-   *  stands before the names of all parts, in the scene and of their mesh files (see
-   *  partName()), so that scenes of different names can be loaded together. It must
-   *  pass requirePartsName(); only mesh files can do without it. */
+  /** Name of the robot (URDF), the model (SDF, MJCF), the scene (MoveIt) or the prim or
+   * node of all (USD, glTF); it also stands before the names of all parts, in the scene
+   * and of their mesh files (see partName()), so that scenes of different names can be
+   * loaded together. It must pass requirePartsName(); only mesh files can do without
+   * it. */
   std::string name = "convex_parts";
   /** The frame of the cloud: name of the one link in URDF and SDF; empty: the name of
    *  the scene. MJCF has the world body in its place, MoveIt the frame that it plans
-   *  in. */
+   *  in, glTF and USD the origin. */
   std::string frame;
   /** The origin of the meshes, in the frame of the parts: subtracted from their
    *  coordinates, and written as the pose of each of them; see sceneOrigin(). */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /** Folder with the meshes, as seen from the scene's file; empty when it is the same.
-   *  In URDF and SDF it may be a URI: `package://my_robot/meshes`. MoveIt needs none.
+   *  In URDF and SDF it may be a URI: `package://my_robot/meshes`. MoveIt, glTF and USD
+   * need none.
    */
   std::string mesh_folder;
   /** Extension of the meshes, with the dot, which says their format; one of
@@ -148,6 +150,26 @@ PCL_CID_IO_EXPORT void
 writeMJCF(std::ostream& stream,
           const std::vector<ConvexPart>& parts,
           const SceneDescription& scene);
+
+/** \brief A binary glTF 2.0 (`.glb`): a node for each part, with its mesh and its
+ *  material, in one that turns z up to y up, as glTF has it. Coordinates are float,
+ *  relative to the scene's origin, which is the place of each node, in double. Open the
+ *  stream in binary mode.
+ *  \throws CIDException for a name that is not good (see requirePartsName()), and for
+ *  meshes of more than 4 GB */
+PCL_CID_IO_EXPORT void
+writeGLTF(std::ostream& stream,
+          const std::vector<ConvexPart>& parts,
+          const SceneDescription& scene);
+
+/** \brief A USD in text (`.usda`): a mesh for each part in its color, z up, in metres;
+ *  static colliders of UsdPhysics, of the approximation `convexHull`. Coordinates are
+ *  float, relative to the scene's origin, to which each mesh is translated in double.
+ *  \throws CIDException for a name that is not good (see requirePartsName()) */
+PCL_CID_IO_EXPORT void
+writeUSD(std::ostream& stream,
+         const std::vector<ConvexPart>& parts,
+         const SceneDescription& scene);
 
 /** \brief A scene in MoveIt's text form (`.scene`): for each part a collision object
  *  with a mesh and its color.

@@ -20,12 +20,23 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace pcl_cid {
 
 struct SceneDescription;
 
 /** \brief The primitives of a scene by the names of their parts. */
 using NamedPrimitives = std::map<std::string, HullPrimitive>;
+
+/** \brief A mesh, and its origin in the frame of the scene. */
+struct PlacedMesh {
+  TriangleMesh mesh;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+};
+
+/** \brief The meshes of a scene by the names of their parts. */
+using NamedMeshes = std::map<std::string, PlacedMesh>;
 
 /** \brief A format of scenes: a row of the table. */
 struct SceneFormat {
@@ -58,9 +69,16 @@ struct SceneFormat {
   /** Read the primitives of what it has written; needed where it knows any.
    *  \throws CIDException when it cannot */
   std::function<NamedPrimitives(std::istream& stream)> read_primitives;
+  /** Whether the meshes that it holds itself are rounded to float. */
+  bool is_float = false;
+  /** Read the meshes that it holds itself from what it has written, to verify them;
+   *  empty where there are none, or nothing reads them.
+   *  \throws CIDException when it cannot */
+  std::function<NamedMeshes(std::istream& stream)> read_meshes;
 };
 
-/** \brief All formats: URDF, SDF, MJCF, MoveIt, then those that were registered. */
+/** \brief All formats: URDF, SDF, MJCF, MoveIt, glTF, USD, then those that were
+ * registered. */
 PCL_CID_IO_EXPORT std::vector<SceneFormat>
 sceneFormats();
 

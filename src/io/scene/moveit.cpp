@@ -7,6 +7,7 @@
  * Parts as a scene of MoveIt.
  */
 
+#include "mesh_readers.h"
 #include "primitive_readers.h"
 #include "scene_rows.h"
 #include "scene_text.h"
@@ -94,6 +95,7 @@ moveItFormat()
   format.write = writeMoveItScene;
   format.primitives = kindsWithoutCapsule();
   format.read_primitives = readPrimitivesOfMoveIt;
+  format.read_meshes = readMeshesOfMoveIt;
   return format;
 }
 

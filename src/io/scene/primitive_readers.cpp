@@ -9,11 +9,14 @@
 
 #include "primitive_readers.h"
 
+#include "mesh_readers.h"
+
 #include <pcl_cid/exceptions.h>
 
 #include <istream>
 #include <limits>
 #include <sstream>
+#include <variant>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -203,8 +206,27 @@ addOfMJCF(const Xml& geom, NamedPrimitives& primitives)
   primitives[attribute(geom, "name")] = primitive;
 }
 
-/** The shape of an object; none for a mesh, which is skipped. */
-std::optional<HullPrimitive>
+TriangleMesh
+meshOfMoveIt(std::istream& stream)
+{
+  const std::vector<double> counts = take(stream, 2);
+  TriangleMesh mesh;
+  for (double i = 0; i < counts[0]; ++i) {
+    const std::vector<double> place = take(stream, 3);
+    mesh.vertices.emplace_back(place[0], place[1], place[2]);
+  }
+  for (double i = 0; i < counts[1]; ++i) {
+    std::array<std::uint32_t, 3> triangle{};
+    for (std::uint32_t& corner : triangle)
+      if (!(stream >> corner) || corner >= mesh.vertices.size())
+        throw CIDException("a triangle has a corner that is none");
+    mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+/** The shape of an object. */
+std::variant<HullPrimitive, TriangleMesh>
 shapeOfMoveIt(std::istream& stream)
 {
   std::string shape;
@@ -221,9 +243,25 @@ shapeOfMoveIt(std::istream& stream)
   }
   if (shape != "mesh")
     throw CIDException("the shape '" + shape + "' is unknown");
-  const std::vector<double> counts = take(stream, 2);
-  take(stream, 3 * static_cast<std::size_t>(counts[0] + counts[1]));
-  return std::nullopt;
+  return meshOfMoveIt(stream);
+}
+
+/** Call \a read with name, pose and shape of each object. */
+template <typename Read>
+void
+forEachObjectOfMoveIt(std::istream& stream, const Read& read)
+{
+  constexpr std::size_t numbers_after_shape = 7 + 4 + 1; // pose, color, subframes
+  stream.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  std::string name;
+  for (std::string marker; stream >> marker && marker == "*";) {
+    stream >> name;
+    const std::vector<double> pose = take(stream, 7);
+    if (take(stream, 1)[0] != 1.0)
+      throw CIDException("the object " + name + " has several shapes");
+    read(name, pose, shapeOfMoveIt(stream));
+    take(stream, numbers_after_shape);
+  }
 }
 
 } // namespace
@@ -261,25 +299,33 @@ readPrimitivesOfMJCF(std::istream& stream)
 NamedPrimitives
 readPrimitivesOfMoveIt(std::istream& stream)
 {
-  constexpr std::size_t numbers_after_shape = 7 + 4 + 1; // pose, color, subframes
   NamedPrimitives primitives;
-  stream.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  std::string name;
-  for (std::string marker; stream >> marker && marker == "*";) {
-    stream >> name;
-    const std::vector<double> pose = take(stream, 7);
-    if (take(stream, 1)[0] != 1.0)
-      throw CIDException("the object " + name + " has several shapes");
-    if (auto primitive = shapeOfMoveIt(stream)) {
-      primitive->center = {pose[0], pose[1], pose[2]};
-      primitive->axes = Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5])
-                            .normalized()
-                            .toRotationMatrix();
-      primitives[name] = *primitive;
-    }
-    take(stream, numbers_after_shape);
-  }
+  forEachObjectOfMoveIt(
+      stream, [&](const auto& name, const std::vector<double>& pose, auto shape) {
+        if (auto* const primitive = std::get_if<HullPrimitive>(&shape)) {
+          primitive->center = {pose[0], pose[1], pose[2]};
+          primitive->axes = Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5])
+                                .normalized()
+                                .toRotationMatrix();
+          primitives[name] = *primitive;
+        }
+      });
   return primitives;
+}
+
+NamedMeshes
+readMeshesOfMoveIt(std::istream& stream)
+{
+  NamedMeshes meshes;
+  forEachObjectOfMoveIt(
+      stream, [&](const auto& name, const std::vector<double>& pose, auto shape) {
+        if (auto* const mesh = std::get_if<TriangleMesh>(&shape)) {
+          if (pose[3] != 0.0 || pose[4] != 0.0 || pose[5] != 0.0)
+            throw CIDException("the mesh " + name + " is turned");
+          meshes[name] = {*mesh, {pose[0], pose[1], pose[2]}};
+        }
+      });
+  return meshes;
 }
 
 } // namespace pcl_cid

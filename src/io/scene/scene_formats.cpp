@@ -20,8 +20,12 @@ namespace {
 FormatTable<SceneFormat, false>&
 formatTable()
 {
-  static FormatTable<SceneFormat, false> table{
-      urdfFormat(), sdfFormat(), mjcfFormat(), moveItFormat()};
+  static FormatTable<SceneFormat, false> table{urdfFormat(),
+                                               sdfFormat(),
+                                               mjcfFormat(),
+                                               moveItFormat(),
+                                               gltfFormat(),
+                                               usdFormat()};
   return table;
 }
 

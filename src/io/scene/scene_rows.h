@@ -25,4 +25,10 @@ mjcfFormat();
 SceneFormat
 moveItFormat();
 
+SceneFormat
+gltfFormat();
+
+SceneFormat
+usdFormat();
+
 } // namespace pcl_cid

@@ -16,6 +16,7 @@
 #include <pcl_cid/io/mesh_export.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -67,6 +68,19 @@ rgba(std::size_t part)
 {
   const PartColor color = partColor(part);
   return numbers({color.red / 255.0, color.green / 255.0, color.blue / 255.0, 1.0});
+}
+
+Eigen::Vector3d
+linearColor(std::size_t part)
+{
+  const PartColor color = partColor(part);
+  const auto linear = [](std::uint8_t channel) { // the curve of sRGB
+    const double value = channel / 255.0;
+    const double light =
+        value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    return std::round(1e6 * light) / 1e6;
+  };
+  return {linear(color.red), linear(color.green), linear(color.blue)};
 }
 
 void

@@ -32,6 +32,11 @@ numbers(const Eigen::Vector3d& v);
 std::string
 rgba(std::size_t part);
 
+/** \brief The same color as light of a screen mixes it: red, green, blue, linear, each
+ *  0 to 1, to six places. */
+Eigen::Vector3d
+linearColor(std::size_t part);
+
 /** \brief Refuse a name that is empty or cannot be written.
  *  \param[in] what the user calls it: "the frame"
  *  \throws CIDException */

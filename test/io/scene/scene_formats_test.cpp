@@ -13,6 +13,7 @@
 #include <pcl_cid/io/scene_export.h>
 #include <pcl_cid/io/scene_formats.h>
 
+#include <iterator>
 #include <ostream>
 #include <sstream>
 
@@ -32,9 +33,9 @@ written(const SceneFormat& format, const SceneDescription& scene)
 TEST(SceneFormats, AreThoseOfTheWriters)
 {
   const std::vector<SceneFormat> formats = sceneFormats();
-  ASSERT_GE(formats.size(), 4u);
-  const char* const options[] = {"urdf", "sdf", "mjcf", "moveit"};
-  for (std::size_t i = 0; i < 4; ++i)
+  const char* const options[] = {"urdf", "sdf", "mjcf", "moveit", "gltf", "usd"};
+  ASSERT_GE(formats.size(), std::size(options));
+  for (std::size_t i = 0; i < std::size(options); ++i)
     EXPECT_EQ(formats[i].option, options[i]);
   std::ostringstream urdf;
   writeURDF(urdf, thinParts(Eigen::Vector3d::Zero()).parts, {});
@@ -54,6 +55,62 @@ TEST(SceneFormats, SayWhatTheyReferTo)
     EXPECT_EQ(text.find("survey") != std::string::npos, format.names_frame);
     EXPECT_FALSE(format.extensions.empty());
     EXPECT_FALSE(format.help.empty());
+  }
+}
+
+/** Mesh by mesh, where it is. */
+TEST(SceneFormats, ReadTheMeshesThatTheyHold)
+{
+  SceneDescription scene;
+  scene.name = "hall";
+  scene.origin = {524288.0, 4194305.0, 102.0};
+  const std::vector<ConvexPart> parts = thinParts(utmOffset()).parts;
+  std::size_t holding = 0;
+  for (const SceneFormat& format : sceneFormats()) {
+    if (!format.read_meshes)
+      continue;
+    ++holding;
+    SCOPED_TRACE(format.name);
+    EXPECT_FALSE(format.refers_to_meshes);
+    std::stringstream stream;
+    format.write(stream, parts, scene);
+    const NamedMeshes meshes = format.read_meshes(stream);
+    ASSERT_EQ(meshes.size(), parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const PlacedMesh& placed = meshes.at(partName(i, "hall"));
+      EXPECT_EQ(placed.origin, scene.origin);
+      TriangleMesh expected = meshInScene(parts[i], scene);
+      if (format.is_float)
+        for (Eigen::Vector3d& vertex : expected.vertices)
+          vertex = vertex.cast<float>().cast<double>();
+      EXPECT_EQ(placed.mesh.vertices, expected.vertices);
+      EXPECT_EQ(placed.mesh.triangles, expected.triangles);
+    }
+    std::stringstream none;
+    format.write(none, {}, scene);
+    EXPECT_TRUE(format.read_meshes(none).empty());
+  }
+  EXPECT_EQ(holding, 3u); // MoveIt, glTF, USD
+}
+
+/** Whatever byte is lost: an error of ours, or meshes, but nothing worse. */
+TEST(SceneFormats, RefuseMeshesThatAreCutOff)
+{
+  for (const SceneFormat& format : sceneFormats()) {
+    if (!format.read_meshes)
+      continue;
+    SCOPED_TRACE(format.name);
+    const std::string whole = written(format, {});
+    for (std::size_t size = 0; size + 4 < whole.size(); size += 7) {
+      std::istringstream cut(whole.substr(0, size));
+      std::size_t read = 0;
+      try {
+        read = format.read_meshes(cut).size();
+      }
+      catch (const CIDException&) {
+      }
+      EXPECT_LT(read, 7u) << size;
+    }
   }
 }
 

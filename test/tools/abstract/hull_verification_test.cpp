@@ -136,6 +136,20 @@ protected:
         [&] { verifyParts(file(""), description_, verification(), outputs); });
   }
 
+  /** The same for a scene that holds its meshes. */
+  std::string
+  complaintAboutScene(const std::vector<ConvexPart>& parts, const SceneFormat& format)
+  {
+    const tools::SceneFile scene = {format, file("hulls" + format.extensions.front())};
+    OutputFiles outputs({});
+    outputs.announce(scene.path);
+    outputs.write(scene.path, [&](std::ostream& stream) {
+      format.write(stream, parts, description_);
+    });
+    return complaint(
+        [&] { verifyMeshesOf(scene, description_, verification(), outputs); });
+  }
+
   tools::Verification
   verification() const
   {
@@ -189,6 +203,24 @@ TEST_F(HullVerification, NamesFilePartAndGuarantee)
   for (const auto& [change, guarantee] : tamperings)
     for (const char* const name : {"hulls.obj", "hulls.ply", "hulls.stl"})
       expectBroken(complaintAbout(tamperedWith(change), name), name, guarantee);
+}
+
+TEST_F(HullVerification, ChecksTheMeshesThatScenesHold)
+{
+  for (const char* const name : {"MoveIt", "glTF", "USD"}) {
+    const SceneFormat& format = *findSceneFormat(name);
+    const std::string file_name = "hulls" + format.extensions.front();
+    EXPECT_EQ(complaintAboutScene(tamperedWith(leaveAsItIs), format), "");
+    for (const auto& [change, guarantee] : tamperings)
+      expectBroken(
+          complaintAboutScene(tamperedWith(change), format), file_name, guarantee);
+    EXPECT_EQ(complaintAboutScene({scene_.parts[0]}, format),
+              file(file_name) + ": verification: the mesh of part_001 is missing");
+    std::vector<ConvexPart> one_more = scene_.parts;
+    one_more.push_back(scene_.parts[0]);
+    EXPECT_EQ(complaintAboutScene(one_more, format),
+              file(file_name) + ": verification: it has 3 meshes; it must have 2");
+  }
 }
 
 TEST_F(HullVerification, NamesTheFileOfThePart)

@@ -76,6 +76,17 @@ protected:
   tools::AbstractedScan abstracted_; ///< what the files are said to be of
 };
 
+std::vector<SceneFormat>
+formatsWithPrimitives()
+{
+  std::vector<SceneFormat> formats;
+  for (const SceneFormat& format : sceneFormats())
+    if (!format.primitives.empty())
+      formats.push_back(format);
+  EXPECT_GE(formats.size(), 4u);
+  return formats;
+}
+
 void
 expectSaid(const std::string& said, const std::string& expected)
 {
@@ -84,14 +95,14 @@ expectSaid(const std::string& said, const std::string& expected)
 
 TEST_F(PrimitiveVerification, PassesScenesAsTheyWereWritten)
 {
-  for (const SceneFormat& format : sceneFormats())
+  for (const SceneFormat& format : formatsWithPrimitives())
     EXPECT_EQ(complaintAbout(format, 0, [](HullPrimitive&) {}), "") << format.name;
 }
 
 TEST_F(PrimitiveVerification, FindsPointsOutsideInEveryFormat)
 {
   const std::vector<std::string> names = {"box", "sphere", "cylinder"};
-  for (const SceneFormat& format : sceneFormats())
+  for (const SceneFormat& format : formatsWithPrimitives())
     for (std::size_t part = 0; part < names.size(); ++part) {
       const std::string expected = "verification: the " + names[part] + " of part_00" +
                                    std::to_string(part) + " breaks a guarantee: point ";
@@ -108,7 +119,7 @@ TEST_F(PrimitiveVerification, FindsPointsOutsideInEveryFormat)
 
 TEST_F(PrimitiveVerification, FindsABoxThatIsTurned)
 {
-  for (const SceneFormat& format : sceneFormats())
+  for (const SceneFormat& format : formatsWithPrimitives())
     expectSaid(complaintAbout(format,
                               0,
                               [](HullPrimitive& p) {
