@@ -240,7 +240,7 @@ test('exported parts are those of pcl_cid_abstract', async (t) => {
   const [a, b, c, d] = [...parts.list].sort((x, y) => y.size - x.size);
   const wanted = {
     mesh: 'ply',
-    scenes: ['urdf', 'moveit'],
+    scenes: ['urdf', 'moveit', 'gltf', 'usd'],
     labels: 'pcd',
     primitives: false,
     report: true,
@@ -253,6 +253,7 @@ test('exported parts are those of pcl_cid_abstract', async (t) => {
       ...['--verify', '--padding', '0.01', '--report', join(folder, 'other.json')],
       ...['--labels', join(folder, 'other.pcd')],
       ...['--urdf', join(folder, 'other.urdf')],
+      ...['--gltf', join(folder, 'other.glb'), '--usd', join(folder, 'other.usda')],
       ...options,
     ]);
   const assertSame = (name, other) =>
@@ -267,6 +268,9 @@ test('exported parts are those of pcl_cid_abstract', async (t) => {
     tool(['--seeds', '40', '--parts', '15', '--merging', 'cid']);
     assertSame('cut.ply', 'other.ply');
     assertSame('cut_labels.pcd', 'other.pcd');
+    assertSame('cut_gltf.glb', 'other.glb');
+    assertSame('cut_usd.usda', 'other.usda');
+    assert.match(readFileSync(join(folder, 'cut.urdf'), 'utf8'), /<link name="room">/);
   });
 
   await t.test('of what was chosen', async () => {

@@ -190,7 +190,7 @@ verifyMeshesOf(const SceneFile& file,
     const NamedMeshes meshes = file.format.read_meshes(stream);
     std::size_t expected = 0;
     for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
-      if (primitiveOf(k, scene))
+      if (!file.format.primitives.empty() && primitiveOf(k, scene))
         continue;
       ++expected;
       const auto found = meshes.find(partName(k, scene.name));

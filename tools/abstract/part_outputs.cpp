@@ -18,7 +18,6 @@
 
 #include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/io/mesh_export.h>
-#include <pcl_cid/io/scan_source.h>
 
 #include <optional>
 #include <ostream>
@@ -85,18 +84,18 @@ writeLabels(const AbstractSettings& settings,
 SceneDescription
 save(const AbstractSettings& settings,
      const AbstractedScan& result,
-     const LabelledCloud& cloud,
+     const LoadedScan& scan,
      Run& run)
 {
   run.begin("Saving " + settings.output);
   saveMesh(settings.output, result.parts, settings.scenes.name, run.outputs);
   if (!settings.labels.empty())
-    writeLabels(settings, result.parts, cloud, run.outputs);
+    writeLabels(settings, result.parts, scan.cloud, run.outputs);
   if (!settings.tree.empty())
     run.outputs.write(settings.tree,
                       [&](std::ostream& s) { s << toJson(result.tree); });
-  const SceneDescription scene = writeScenes(
-      settings.scenes, scanName(settings.input), result.parts, result.primitives, run);
+  const SceneDescription scene =
+      writeScenes(settings.scenes, scan.name, result.parts, result.primitives, run);
   run.end(std::to_string(result.parts.size()) + " parts", "save");
   return scene;
 }
@@ -114,7 +113,7 @@ verify(const AbstractSettings& settings,
     verifyParts(folder, scene, verification, run.outputs);
   for (const SceneFile& file : settings.scenes.wanted()) {
     verifyMeshesOf(file, scene, verification, run.outputs);
-    if (settings.scenes.primitives)
+    if (settings.scenes.primitives && file.format.read_primitives)
       verifyPrimitives(file, scene, verification, run.outputs);
   }
   run.end("all guarantees hold", "verify");
@@ -156,7 +155,7 @@ writeParts(const AbstractSettings& settings,
            Run& run)
 {
   describe(settings, abstracted, run);
-  const SceneDescription scene = save(settings, abstracted, scan.cloud, run);
+  const SceneDescription scene = save(settings, abstracted, scan, run);
   if (settings.verify) {
     const std::optional<ErrorVerification> error =
         errorVerification(settings, scan.points, viewpoints);

@@ -197,6 +197,8 @@ SceneSettings::primitiveKinds() const
   std::vector<HullPrimitive::Kind> kinds = PrimitiveOptions().kinds;
   for (const SceneFile& scene : wanted()) {
     const std::vector<HullPrimitive::Kind>& known = scene.format.primitives;
+    if (known.empty() && !scene.format.refers_to_meshes)
+      continue;
     const auto is_unknown = [&](HullPrimitive::Kind kind) {
       return std::find(known.begin(), known.end(), kind) == known.end();
     };
@@ -230,12 +232,13 @@ declareSceneOptions(SceneSettings& settings, CommandLine& line)
   line.flag(
       "primitives",
       settings.primitives,
-      "a box, a sphere, a cylinder or, where all these formats know it, a capsule "
+      "a box, a sphere, a cylinder or, where all formats with any know it, a capsule "
       "instead of the mesh of a part that it holds, when it is at most " +
           shortNumber(100.0 * primitive_share) + " % larger than its hull");
   std::vector<std::string> scenes;
   for (const SceneFile& scene : settings.files)
-    scenes.push_back(scene.format.option);
+    if (!scene.format.primitives.empty())
+      scenes.push_back(scene.format.option);
   line.require("primitives", scenes);
 }
 

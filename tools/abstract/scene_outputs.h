@@ -44,7 +44,8 @@ struct SceneSettings {
   std::vector<SceneFile>
   wanted() const;
 
-  /** \brief The primitives that all of these know. */
+  /** \brief The primitives that all of these know, but for those that know none and
+   *  hold meshes themselves: these have the hulls. */
   std::vector<HullPrimitive::Kind>
   primitiveKinds() const;
 

@@ -54,6 +54,7 @@ loadScan(const Settings& settings, Run& run)
     run.console.beBriefOn(settings.input);
   run.begin("Loading " + settings.input);
   LoadedScan scan;
+  scan.name = scanName(settings.input);
   scan.cloud =
       readScan(settings.input,
                {settings.class_table,

@@ -23,6 +23,7 @@ struct Settings;
 
 /** \brief A scan as it was read. */
 struct LoadedScan {
+  std::string name; ///< as scanName() says
   LabelledCloud cloud;
   CloudPoints points;
 };

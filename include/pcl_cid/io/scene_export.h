@@ -142,9 +142,10 @@ writeSDF(std::ostream& stream,
 /** \brief An MJCF: for each part a mesh asset and a geom of its color in the world
  *  body, which nothing moves.
  *
- *  MuJoCo resolves the paths of meshes from the model that it opens. So where another
+ *  MuJoCo 2 resolves the paths of meshes from the model that it opens. So where another
  *  model in another folder includes this one, SceneDescription::mesh_folder must be
- *  absolute, or as seen from that model and its `meshdir`.
+ *  absolute, or as seen from that model and its `meshdir`. MuJoCo 3 also looks from
+ *  this one.
  *  \throws CIDException as writeURDF() and requireMeshFolderForMJCF() */
 PCL_CID_IO_EXPORT void
 writeMJCF(std::ostream& stream,

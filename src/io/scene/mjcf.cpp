@@ -24,10 +24,10 @@ namespace {
 /** No compiler element with a `meshdir` says so: it would hold for the model that
  *  includes this one, too. */
 constexpr const char* about_paths =
-    "  <!-- MuJoCo looks for meshes from the folder, and the meshdir, of the model "
-    "that\n"
-    "       it opens. To include this one from another, have it written with a mesh\n"
-    "       prefix that is absolute, or as seen from there. -->\n";
+    "  <!-- Included in another model, meshes are found from here by MuJoCo 3.\n"
+    "       MuJoCo 2 looks for them from the folder, and the meshdir, of that\n"
+    "       model: for it, have this one written with a mesh prefix that is\n"
+    "       absolute, or as seen from there. -->\n";
 
 /** What MuJoCo calls sizes: halves of lengths. */
 std::string

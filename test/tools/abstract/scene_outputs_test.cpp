@@ -88,22 +88,11 @@ protected:
   std::vector<std::string>
   allOutputs(const std::string& parts) const
   {
-    return {scan_,
-            file("hulls.obj"),
-            "--parts",
-            parts,
-            "--urdf",
-            file("hulls.urdf"),
-            "--sdf",
-            file("hulls.sdf"),
-            "--mjcf",
-            file("hulls.xml"),
-            "--moveit",
-            file("hulls.scene"),
-            "--report",
-            file("report.json"),
-            "--seeds",
-            "12"};
+    return {scan_,      file("hulls.obj"),   "--parts",  parts,
+            "--urdf",   file("hulls.urdf"),  "--sdf",    file("hulls.sdf"),
+            "--mjcf",   file("hulls.xml"),   "--moveit", file("hulls.scene"),
+            "--gltf",   file("hulls.glb"),   "--usd",    file("hulls.usda"),
+            "--report", file("report.json"), "--seeds",  "12"};
   }
 };
 
@@ -111,11 +100,13 @@ TEST_F(SceneOutputs, NameTheMeshOfEachPart)
 {
   ASSERT_EQ(run("pcl_cid_abstract", allOutputs("5")).exit_code, 0);
   EXPECT_EQ(folder_.names(),
-            (std::vector<std::string>{"hulls.mtl",
+            (std::vector<std::string>{"hulls.glb",
+                                      "hulls.mtl",
                                       "hulls.obj",
                                       "hulls.scene",
                                       "hulls.sdf",
                                       "hulls.urdf",
+                                      "hulls.usda",
                                       "hulls.xml",
                                       "hulls_parts",
                                       "report.json",
@@ -380,6 +371,8 @@ TEST_F(SceneOutputs, RefuseOptionsThatHaveNoEffect)
         std::pair(Words{"--mesh-prefix", "a", "--parts-dir", file("parts")},
                   "--urdf, --sdf or --mjcf"),
         std::pair(Words{"--parts-format", "obj"}, "--mjcf"),
+        std::pair(Words{"--primitives", "--gltf", file("a.glb")},
+                  "--urdf, --sdf, --mjcf or --moveit"),
         std::pair(Words{"--parts-format", "stl", "--moveit", file("a.scene")},
                   "--parts-dir")}) {
     Words arguments{scan_, file("a.obj")};

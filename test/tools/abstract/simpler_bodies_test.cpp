@@ -9,7 +9,10 @@
 
 #include "tool_process.h"
 
+#include <pcl_cid/io/scene_formats.h>
+
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -107,6 +110,30 @@ TEST_F(SimplerBodies, PrimitivesAreVerifiedAndHaveNoMesh)
     primitives += primitive.is_null() ? 0 : 1;
   }
   EXPECT_GT(primitives, 0u);
+}
+
+TEST_F(SimplerBodies, HullsStandInScenesWithoutPrimitives)
+{
+  const nlohmann::json report = reportOf({"--parts",
+                                          "12",
+                                          "--padding",
+                                          "0.3",
+                                          "--primitives",
+                                          "--urdf",
+                                          file("scene.urdf"),
+                                          "--gltf",
+                                          file("scene.glb"),
+                                          "--usd",
+                                          file("scene.usda")});
+  std::size_t primitives = 0;
+  for (const nlohmann::json& part : report["parts"])
+    primitives += part["primitive"].is_null() ? 0 : 1;
+  EXPECT_GT(primitives, 0u);
+  for (const auto& [format, name] :
+       {std::pair("glTF", "scene.glb"), std::pair("USD", "scene.usda")}) {
+    std::ifstream stream(file(name), std::ios::binary);
+    EXPECT_EQ(findSceneFormat(format)->read_meshes(stream).size(), 12u);
+  }
 }
 
 TEST_F(SimplerBodies, PrimitivesKeepTheBoundAndThePadding)
