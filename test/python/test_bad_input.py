@@ -189,6 +189,8 @@ def test_files(tmp_path):
         pcl_cid.write(tmp_path / "cloud.pcd", POINTS, encoding="zip")
     with pytest.raises(ValueError, match="obj"):
         pcl_cid.save(tmp_path / "hulls.glb", [])
+    with pytest.raises(ValueError, match="the name 'a b' .* letters"):
+        pcl_cid.save(tmp_path / "hulls.obj", [], name="a b")
     with pytest.raises(TypeError, match="part 0 is 3; it must be a ConvexPart"):
         pcl_cid.save(tmp_path / "hulls.obj", [3])
     with pytest.raises(TypeError, match="parts is 3; it must be a sequence of ConvexPart"):

@@ -115,6 +115,14 @@ def test_cuts_of_the_merge_tree(boxes, run_tool, tmp_path, cut, extension):
     assert_same_files(tool, tmp_path, name)
 
 
+def test_names_of_parts(boxes, run_tool, tmp_path):
+    tool = run_tool("pcl_cid_abstract", boxes, "my hulls.obj", "--parts", "4", "--name", "hall")
+    parts = pcl_cid.Scan(box_points()).parts(count=4)
+    pcl_cid.save(tmp_path / "my hulls.obj", parts, name="hall")
+    assert_same_files(tool, tmp_path, "my hulls.obj", "my_hulls.mtl")
+    assert "o hall_part_000" in (tmp_path / "my hulls.obj").read_text()
+
+
 def test_fitted_hulls(room, run_tool, tmp_path):
     tool = run_tool("pcl_cid_abstract", ROOM, "hulls.obj", "--parts", "30")
     pcl_cid.save(tmp_path / "hulls.obj", pcl_cid.Scan(room.points).parts(count=30))

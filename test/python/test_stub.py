@@ -22,6 +22,7 @@ groups = scan.groups + 1
 parts = scan.parts(count=np.int64(3), max_vertices="auto")
 volume: float = sum(part.volume for part in parts)
 pcl_cid.save("hulls.obj", parts)
+pcl_cid.save("hulls.obj", parts, name="hall")
 pcl_cid.write("cloud.pcd", pcl_cid.read("cloud.pcd"), label=groups)
 """
 BAD = {

@@ -29,7 +29,8 @@ constexpr const char* about =
     "Turn a scan into convex hulls. INPUT is a file of points (PCD, PLY, text,\n"
     "NumPy, KITTI; - is the standard input), a mesh, a room folder of S3DIS or a scan\n"
     "folder of ScanNet; OUTPUT is a mesh: .obj (an object for each part, colors in an\n"
-    ".mtl beside it), .ply (color and part number for each face) or .stl.";
+    ".mtl beside it), .ply (color and part number for each face) or .stl.\n"
+    "--gltf writes a .glb.";
 
 void
 declareMergeOptions(AbstractSettings& settings, CommandLine& line)
