@@ -17,8 +17,11 @@
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/scene_export.h>
 
+#include <array>
 #include <limits>
 #include <ostream>
+
+#include <Eigen/Geometry>
 
 namespace pcl_cid {
 namespace {

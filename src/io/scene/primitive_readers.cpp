@@ -13,6 +13,7 @@
 
 #include <pcl_cid/exceptions.h>
 
+#include <array>
 #include <istream>
 #include <limits>
 #include <sstream>

@@ -15,7 +15,10 @@
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/scene_export.h>
 
+#include <array>
 #include <ostream>
+
+#include <Eigen/Geometry>
 
 namespace pcl_cid {
 namespace {

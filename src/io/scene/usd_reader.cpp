@@ -14,6 +14,7 @@
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <istream>
 #include <sstream>
 
