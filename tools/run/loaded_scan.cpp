@@ -15,7 +15,9 @@
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/scan_source.h>
 
+#include <algorithm>
 #include <ostream>
+#include <vector>
 
 namespace pcl_cid::tools {
 std::vector<std::string>
@@ -29,19 +31,36 @@ inputFiles(const Settings& settings)
 
 namespace {
 
+/** How long most of a scan is along each axis: what a few points astray do not change.
+ */
+Eigen::Vector3d
+extentOfBulk(const pcl::PointCloud<pcl::PointXYZ>& points)
+{
+  constexpr std::size_t enough_points = 10000;
+  const std::size_t stride = points.size() / enough_points + 1;
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> values;
+    for (std::size_t i = 0; i < points.size(); i += stride)
+      if (points[i].getVector3fMap().allFinite())
+        values.push_back(points[i].getVector3fMap()[axis]);
+    std::sort(values.begin(), values.end());
+    const std::size_t astray = values.size() / 20;
+    if (!values.empty())
+      extent[axis] = values[values.size() - 1 - astray] - values[astray];
+  }
+  return extent;
+}
+
 /** Say so when the scan is larger than buildings are: its unit may not be the metre. */
 void
 remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
 {
   constexpr double longest_building = 500.0;
-  Eigen::AlignedBox3f box;
-  for (const pcl::PointXYZ& point : *scan.points.points)
-    if (point.getVector3fMap().allFinite())
-      box.extend(point.getVector3fMap());
-  const Eigen::Vector3f size = box.sizes();
-  if (settings.scale == setting::scale.initial && size.maxCoeff() > longest_building)
-    run.remark()(settings.input + ": measures " + shortNumber(size.x()) + " x " +
-                 shortNumber(size.y()) + " x " + shortNumber(size.z()) +
+  const Eigen::Vector3d extent = extentOfBulk(*scan.points.points);
+  if (settings.scale == setting::scale.initial && extent.maxCoeff() > longest_building)
+    run.remark()(settings.input + ": most of it measures " + shortNumber(extent.x()) +
+                 " x " + shortNumber(extent.y()) + " x " + shortNumber(extent.z()) +
                  " metres; if it is in millimetres, give --scale 0.001");
 }
 

@@ -73,7 +73,7 @@ TEST_F(BadInput, ThatIsMissingOrEmptyIsRefused)
   writeText(file("empty.pcd"), "");
   expectBothRefuse(file("empty.pcd"), {"empty.pcd", "is empty"});
   writeText(file("text.ply"), "hello\n");
-  expectBothRefuse(file("text.ply"), {"text.ply", "neither a PCD nor a PLY"});
+  expectBothRefuse(file("text.ply"), {"text.ply", "neither a PCD, a PLY"});
 }
 
 TEST_F(BadInput, ThatIsTruncatedIsRefused)

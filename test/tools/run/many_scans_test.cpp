@@ -107,9 +107,9 @@ TEST_F(ManyScansTest, GoOnAfterThoseThatFail)
 {
   const std::string whole = readText(file("scans/b.ply"));
   writeText(file("scans/b.ply"), whole.substr(0, whole.size() / 2));
-  writeText(file("scans/d.xyz"), "0 0 0\n");
+  writeText(file("scans/d.doc"), "0 0 0\n");
   Arguments arguments = allScans({"--quiet"});
-  arguments.insert(arguments.begin(), {file("scans/no.pcd"), file("scans/d.xyz")});
+  arguments.insert(arguments.begin(), {file("scans/no.pcd"), file("scans/d.doc")});
   const Arguments scans(arguments.begin(), arguments.begin() + 5);
   for (const std::string summary : {"sum.csv", "sum.json"}) {
     Arguments with_summary = arguments;
@@ -286,11 +286,13 @@ TEST_F(ManyScansTest, AreCompletedByBash)
     arguments.insert(arguments.end(), words.begin(), words.end());
     return run("/bin/bash", arguments).out;
   };
-  writeText(file("scans/hulls.obj"), "");
-  EXPECT_EQ(offers({""}), "a.pcd\nb.ply\nc.pcd\n");
-  EXPECT_EQ(offers({"a.pcd", ""}), "a.pcd\nb.ply\nc.pcd\nhulls.obj\n");
-  EXPECT_EQ(offers({"a.pcd", "b.ply", ""}), "a.pcd\nb.ply\nc.pcd\n");
-  EXPECT_EQ(offers({"--output-dir", "many", "a.pcd", ""}), "a.pcd\nb.ply\nc.pcd\n");
+  writeText(file("scans/d.gz"), "");
+  writeText(file("scans/notes.md"), ""); // neither a scan nor a mesh
+  EXPECT_EQ(offers({""}), "a.pcd\nb.ply\nc.pcd\nd.gz\n");
+  EXPECT_EQ(offers({"a.pcd", ""}), "a.pcd\nb.ply\nc.pcd\nd.gz\n");
+  EXPECT_EQ(offers({"a.pcd", "b.ply", ""}), "a.pcd\nb.ply\nc.pcd\nd.gz\n");
+  EXPECT_EQ(offers({"--output-dir", "many", "a.pcd", ""}),
+            "a.pcd\nb.ply\nc.pcd\nd.gz\n");
   EXPECT_EQ(offers({"--mesh-format", "s"}), "stl\n");
   const ToolRun page = run("pcl_cid_abstract", {"--man-page"});
   EXPECT_NE(page.out.find("SCAN... \\-\\-output\\-dir DIR"), std::string::npos);

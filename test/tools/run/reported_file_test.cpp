@@ -74,7 +74,7 @@ const ReportedFile reported_files[] = {
     {"label_3.0.pcd", ""},
     {"colour_floats.ply", "", 0, {"--color", "0.001"}},
     {"no_returns_at_zero.pcd", "points lie exactly at (0, 0, 0)"},
-    {"millimetres.pcd", ""}};
+    {"millimetres.pcd", "if it is in millimetres, give --scale 0.001"}};
 
 std::string
 reported(const std::string& name)
