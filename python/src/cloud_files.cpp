@@ -201,14 +201,13 @@ bindClouds(py::module_& module)
                              &Cloud::sensor,
                              "ndarray of float32, shape (7,): x, y, z of the sensor in "
                              "metres, and its rotation as w, x, y, z.");
-  module.def(
-      "read",
-      &read,
-      py::arg("path"),
-      py::arg("class_table") = py::none(),
-      py::arg("scale") = setting::scale.initial,
-      py::arg("mesh_spacing") = setting::mesh_spacing.initial,
-      read_doc);
+  module.def("read",
+             &read,
+             py::arg("path"),
+             py::arg("class_table") = py::none(),
+             py::arg("scale") = setting::scale.initial,
+             py::arg("mesh_spacing") = setting::mesh_spacing.initial,
+             read_doc);
   module.def("write",
              &write,
              py::arg("path"),

@@ -25,8 +25,10 @@ using tools::CommandLine;
 constexpr const char* about =
     "Label a scan by hand, in the browser. SCAN is a file of points (PCD, PLY, text,\n"
     "NumPy, KITTI), a mesh, a room folder of S3DIS or a scan folder of ScanNet. The\n"
-    "program asks what a few seeds are, and every point follows its CID-nearest seed; a\n"
-    "click where that is wrong corrects it. Each answer is on the disk before it counts;\n"
+    "program asks what a few seeds are, and every point follows its CID-nearest seed; "
+    "a\n"
+    "click where that is wrong corrects it. Each answer is on the disk before it "
+    "counts;\n"
     "the same command goes on with what was done.\n\n"
     "  pcl_cid_studio room.pcd --classes s3dis\n\n"
     "It serves one page on this machine alone, at the address that it prints.";

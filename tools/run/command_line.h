@@ -192,8 +192,9 @@ public:
         const std::vector<std::string*>& targets);
 
   /** \brief The same, or any number of files of the first kind where an option is
-   * given. \param[in] list_option without dashes \param[out] list set instead of the
-   * targets where it is given */
+   *  given.
+   *  \param[in] list_option without dashes
+   *  \param[out] list set instead of the targets where it is given */
   bool
   parseEither(int argc,
               const char* const* argv,

@@ -56,7 +56,7 @@ struct Settings {
   double scale = setting::scale.initial;
   double mesh_spacing = setting::mesh_spacing.initial;
   std::string input_format; ///< an extension without its dot; empty: INPUT says it
-  std::string html; ///< a picture of what was made
+  std::string html;         ///< a picture of what was made
   bool keep_zeros = false;
   bool quiet = false;
   ManyScans many;

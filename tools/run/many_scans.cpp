@@ -16,6 +16,7 @@
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/scan_source.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -76,6 +77,16 @@ requireNamesOfEach(const std::vector<NameOption>& options)
       throw UsageError("--" + option.option + " is '" + *option.name +
                        "' for each scan; with --output-dir it must hold {}, which "
                        "stands for the name of the scan");
+}
+
+/** The standard input has none. */
+void
+requireNames(const std::vector<std::string>& scans)
+{
+  if (std::count(scans.begin(), scans.end(), "-") > 0)
+    throw UsageError(
+        "SCAN is '-', the standard input, which has no name that an output "
+        "could have; give it without --output-dir");
 }
 
 /** Of the names of scans, those of their outputs are made. */
@@ -150,6 +161,7 @@ parseScans(int argc,
   if (many.scans.empty())
     throw UsageError(
         "SCAN is needed with --output-dir, at least 1 file name; given: 0");
+  requireNames(many.scans);
   requireDifferentNames(many.scans);
   return true;
 }

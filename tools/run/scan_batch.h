@@ -31,10 +31,12 @@ struct ScanWork {
 };
 
 /** \brief Do each scan, and tell the user and the summary how it ended. What can be
- *  known before is checked before: a scan that cannot be read fails at once, an output
- *  that cannot be written, or means a file that is written or read elsewhere, stops
- * all. \param[in,out] many gets its inputs before anything is announced \throws
- * CIDException when an output cannot be written, or, at the end, when scans failed
+ *  known before is checked before: a scan that cannot be read fails at once, an
+ *  output that cannot be written, or means a file that is written or read elsewhere,
+ *  stops all.
+ *  \param[in,out] many gets its inputs before anything is announced
+ *  \throws CIDException when an output cannot be written, or, at the end, when scans
+ *  failed
  *  \throws Interrupted those that are done stay */
 void
 doEachScan(const ScanWork& work, ManyScans& many, bool quiet);

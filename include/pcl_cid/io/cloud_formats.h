@@ -36,19 +36,21 @@ namespace pcl_cid {
  *  PCD. Lines may end in CR, LF or both; a byte order mark may come first.
  *  \param[in] path "-" is the standard input
  *  \param[in] extension of the format that the file has, with the dot, whatever its
- * name and content say; empty: they say it \throws CIDException when the file cannot be
- * opened, is empty, truncated, damaged or of no format in the table, holds no point or
- * more than its header says, has two fields of one name, or has no single x, y and z */
+ *  name and content say; empty: they say it
+ *  \throws CIDException when the file cannot be opened, is empty, truncated, damaged or
+ *  of no format in the table, holds no point or more than its header says, has two
+ *  fields of one name, or has no single x, y and z */
 PCL_CID_IO_EXPORT LabelledCloud
 readCloud(const std::string& path, const std::string& extension = "");
 
 /** \brief The layout in which a cloud is written to a file of this name.
  *
- *  The extension says the format; a cloud for the standard output, "-", keeps that of
- *  \a source where it can be written, and becomes a PCD else. Where that is the format
- * that the cloud came in, the encoding stays; ascii stays ascii; all else becomes the
- * most compact encoding: compressed for `.pcd`, binary for `.ply`. \param[in] path its
- * extension may be in capitals \param[in] source the layout that the cloud came in
+ *  The extension says the format; a cloud for the standard output, "-", keeps that
+ *  of \a source where it can be written, and becomes a PCD else. Where that is the
+ *  format that the cloud came in, the encoding stays; ascii stays ascii; all else
+ *  becomes the most compact encoding: compressed for `.pcd`, binary for `.ply`.
+ *  \param[in] path its extension may be in capitals
+ *  \param[in] source the layout that the cloud came in
  *  \throws CIDException when no format that can be written has this extension */
 PCL_CID_IO_EXPORT CloudLayout
 layoutFor(const std::string& path, const CloudLayout& source);

@@ -75,10 +75,11 @@ writeMesh(std::ostream& stream,
           const std::string& path,
           const std::string& name = "");
 
-/** \brief The file of colors beside a mesh: "hulls.mtl" for "hulls.obj". A blank in the
- *  name becomes an underscore, "my_hulls.mtl" for "my hulls.obj": programs that read
- * OBJ do not agree on how it names a file with blanks. \return empty when the format of
- * the mesh has none \throws CIDException when no format has this extension */
+/** \brief The file of colors beside a mesh: "hulls.mtl" for "hulls.obj". A blank in
+ *  the name becomes an underscore, "my_hulls.mtl" for "my hulls.obj": programs that
+ *  read OBJ do not agree on how it names a file with blanks.
+ *  \return empty when the format of the mesh has none
+ *  \throws CIDException when no format has this extension */
 PCL_CID_IO_EXPORT std::string
 materialsBeside(const std::string& path);
 

@@ -20,15 +20,15 @@
 namespace pcl_cid {
 
 /** \brief Read the triangles of a mesh, as any program writes it: OBJ, STL (ascii or
- *  binary), OFF or PLY, packed by gzip or not. Faces with more corners are divided into
- *  triangles about their first one. Normals, colors, textures and groups are passed
- *  over; which side of a face is the outer one has no meaning here.
+ *  binary), OFF or PLY, packed by gzip or not. Faces with more corners are divided
+ *  into triangles about their first one. Normals, colors, textures and groups are
+ *  passed over; which side of a face is the outer one has no meaning here.
  *  \param[in] path "-" is the standard input
  *  \param[in] extension of the format that the file has, with the dot, whatever its
- * name says; empty: its name says it \return coordinates as they stand in the file;
- * corners of an STL are not joined \throws CIDException when the extension is none of
- * these, when the file cannot be opened, is truncated or damaged, when a vertex is not
- * finite, or there is no face */
+ *  name says; empty: its name says it
+ *  \return coordinates as they stand in the file; corners of an STL are not joined
+ *  \throws CIDException when the extension is none of these, when the file cannot be
+ *  opened, is truncated or damaged, when a vertex is not finite, or there is no face */
 PCL_CID_IO_EXPORT TriangleMesh
 readSurface(const std::string& path, const std::string& extension = "");
 

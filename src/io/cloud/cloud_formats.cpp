@@ -97,9 +97,10 @@ formatOf(const OpenedFile& file, const std::string& path, const std::string& giv
   if (format)
     return *format;
   refuseForeignFormat(stream, path);
-  throw CIDException(
-      path + ": " + noneOfAll() +
-      (path == standard_stream ? " by its content; say which it is (--input-format)" : ""));
+  throw CIDException(path + ": " + noneOfAll() +
+                     (path == standard_stream
+                          ? " by its content; say which it is (--input-format)"
+                          : ""));
 }
 
 /** Whatever a reader has left undone shows here, not when the cloud is used. */

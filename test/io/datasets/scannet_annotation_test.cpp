@@ -182,7 +182,8 @@ TEST_F(ScannetAnnotation, IsAPredictionToo)
   announceScannetSubmission(results, scan_id, outputs);
   writeText(results + "/pred_mask/scene0042_01_007.txt", "of an earlier run");
   writeText(results + "/pred_mask/scene0001_01_007.txt", "of another scan");
-  writeScannetSubmission(results, scan_id, scan.label, ofBenchmarkClasses(all), outputs);
+  writeScannetSubmission(
+      results, scan_id, scan.label, ofBenchmarkClasses(all), outputs);
   outputs.commit();
   EXPECT_EQ(readText(results + "/scene0042_01.txt"),
             "pred_mask/scene0042_01_000.txt 6 1\npred_mask/scene0042_01_001.txt 5 1\n");

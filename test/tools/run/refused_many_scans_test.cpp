@@ -99,6 +99,9 @@ TEST_F(ManyScansTest, NeedNamesOfTheirOwnForAllFiles)
   expectRefused(run("pcl_cid_segment", {scan_, file("o.pcd"), "--summary", "x.csv"}),
                 2,
                 {"--summary has no effect without --output-dir"});
+  expectRefused(run("pcl_cid_segment", {"-", scan_, "--output-dir", file("many")}),
+                2,
+                {"SCAN is '-'"});
   expectRefused(run("pcl_cid_segment", {scan_, scan_, scan_}),
                 2,
                 {"several scans need --output-dir"});
