@@ -160,13 +160,13 @@ def bash_completes(packages):
     folder = packages.work / "completion"
     folder.mkdir()
     (folder / "more scans").mkdir()
-    for name in ("a room.pcd", "b.PLY", "seeds.csv", "hulls.obj", "notes.txt"):
+    for name in ("a room.pcd", "b.PLY", "seeds.csv", "hulls.obj", "notes.md"):
         (folder / name).touch()
 
     def offers(*words):
         return completed(packages, *words, folder=folder)
 
-    scans = ["a room.pcd", "b.PLY", "more scans"]
+    scans = ["a room.pcd", "b.PLY", "hulls.obj", "more scans", "seeds.csv"]
     assert offers("pcl_cid_segment", "") == scans
     assert offers("pcl_cid_segment", "a") == ["a room.pcd"]
     assert offers("pcl_cid_segment", "--labels", "") == ["more scans", "seeds.csv"]
@@ -175,10 +175,10 @@ def bash_completes(packages):
     assert offers("pcl_cid_segment", "--density", "") == ["auto", "off", "on"]
     assert offers("pcl_cid_segment", "--seeds", "") == [""]
     assert offers("pcl_cid_segment", "a.pcd", "--lab") == ["--label-type", "--labels", "--labels-from"]
-    assert offers("pcl_cid_abstract", "a.pcd", "") == ["a room.pcd", "b.PLY", "hulls.obj", "more scans"]
+    assert offers("pcl_cid_abstract", "a.pcd", "") == scans
     # An option's value is no file.
     assert "hulls.obj" in offers("pcl_cid_abstract", "--parts", "5", "a.pcd", "")
-    assert "hulls.obj" not in offers("pcl_cid_abstract", "--parts", "5", "")
+    assert offers("pcl_cid_abstract", "--parts", "5", "--curve", "") != scans
     assert "hulls.obj" in offers("pcl_cid_abstract", "--parts", "=", "5", "a.pcd", "")
     assert offers("pcl_cid_abstract", "--viewpoints", "c") == ["cloud"]
     assert offers("pcl_cid_evaluate", "--classes", "s") == ["s3dis", "scannet", "seeds.csv"]

@@ -17,6 +17,7 @@
 
 #include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_formats.h>
 
 namespace pcl_cid::tools {
@@ -117,12 +118,19 @@ requireFittingRule(const AbstractSettings& settings)
                      "--merging hull");
 }
 
+/** The format of OUTPUT, of each scan where there are several. */
+const MeshFormat&
+outputFormat(const AbstractSettings& settings)
+{
+  return meshFormatOf(settings.output.empty() ? "scan." + settings.many.format
+                                              : settings.output);
+}
+
 /** Some formats are only written. */
 void
 requireReader(const AbstractSettings& settings)
 {
-  const MeshFormat& format = meshFormatOf(
-      settings.output.empty() ? "scan." + settings.many.format : settings.output);
+  const MeshFormat& format = outputFormat(settings);
   if (settings.verify && !format.read)
     throw UsageError("--verify reads the meshes again, and there is no reader of " +
                      format.name + "; choose another format");
@@ -133,7 +141,7 @@ void
 requireNamedParts(const AbstractSettings& settings)
 {
   const SceneSettings& scenes = settings.scenes;
-  const MeshFormat& format = meshFormatOf(settings.output);
+  const MeshFormat& format = outputFormat(settings);
   if (!scenes.name.empty() && !format.names_parts && scenes.parts_dir.empty() &&
       scenes.wanted().empty())
     throw UsageError("--name has no effect without a scene or --parts-dir, as " +
@@ -206,6 +214,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   declareSeedOptions(settings, line);
   settings.many.format = "obj";
   declareManyScans(settings.many, "mesh-format", withoutDots(meshExtensions()), line);
+  line.exclude("name", {"output-dir"}); // each scan has its own
   declareRunOptions(settings, line);
   if (!parseScans(argc,
                   argv,
@@ -214,6 +223,10 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
                   settings,
                   line))
     return false;
+  if (!settings.scenes.wanted().empty()) // as their parts are named
+    requireDifferentNames(settings.many.scans, [](const std::string& scan) {
+      return partsNameFrom(nameOfScan(scan));
+    });
   requireReader(settings);
   requireFittingRule(settings);
   checkSceneOptions(settings.scenes);
@@ -231,7 +244,9 @@ nameOptions(AbstractSettings& settings)
                                   {"curve", &settings.curve},
                                   {"report", &settings.report},
                                   {"html", &settings.html},
-                                  {"parts-dir", &settings.scenes.parts_dir}};
+                                  {"parts-dir", &settings.scenes.parts_dir},
+                                  {"mesh-prefix", &settings.scenes.mesh_prefix, true},
+                                  {"frame", &settings.scenes.frame, true}};
   for (SceneFile& scene : settings.scenes.files)
     options.push_back({scene.format.option, &scene.path});
   return options;

@@ -210,6 +210,7 @@ Json
 factsOf(const Picture& picture,
         const ShownPoints& shown,
         const PictureMarks& marks,
+        const std::string& name,
         const Report& report)
 {
   const Json all = Json::parse(toJson(report));
@@ -218,7 +219,7 @@ factsOf(const Picture& picture,
     rows =
         rowsOf(marks, picture, all.value("parts", Json(nullptr)), most_bytes_of_rows);
   return {{"kind", wordOf(picture.kind)},
-          {"name", scanName(report.input)},
+          {"name", name},
           {"values", picture.values_text},
           {"points", shown.positions.size()},
           {"origin", triple(shown.frame.origin)},
@@ -240,7 +241,7 @@ contentOf(const Picture& picture,
   PictureMarks marks;
   if (picture.kind != Picture::Kind::values)
     marks = marksOf(picture, scan.cloud.size(), shown.finite.source);
-  Json facts = factsOf(picture, shown, marks, run.report);
+  Json facts = factsOf(picture, shown, marks, scan.name, run.report);
   std::string points = pointElements(shown, picture, marks, scan.cloud);
   const std::size_t taken = points.size() + dataElement("facts", facts).size() + 1000;
   HullData hulls =

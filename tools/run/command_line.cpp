@@ -191,7 +191,7 @@ CommandLine::word(const std::string& name,
   choose(name,
          placeholder,
          words,
-         help + "; default " + target,
+         help + (target.empty() ? "" : "; default " + target),
          [&target](const std::string& word) { target = word; });
 }
 

@@ -23,10 +23,7 @@ namespace pcl_cid::tools {
 std::vector<std::string>
 inputFiles(const Settings& settings)
 {
-  std::vector<std::string> files = scanFiles(settings.input, settings.class_table);
-  const std::vector<std::string>& others = settings.many.inputs;
-  files.insert(files.end(), others.begin(), others.end());
-  return files;
+  return scanFiles(settings.input, settings.class_table);
 }
 
 namespace {
@@ -99,6 +96,15 @@ requireOutputHolds(const std::string& path, const LoadedScan& scan, Run& run)
   requireWritable(scan.cloud, path, [&](const std::string& sentence) {
     remark(path + ": " + sentence);
   });
+}
+
+void
+announceCloud(const std::string& path, OutputFiles& outputs)
+{
+  if (path == standard_output)
+    outputs.announceStandardOutput();
+  else
+    outputs.announce(path);
 }
 
 void

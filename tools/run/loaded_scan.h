@@ -43,6 +43,10 @@ loadScan(const Settings& settings, Run& run);
 void
 requireOutputHolds(const std::string& path, const LoadedScan& scan, Run& run);
 
+/** \brief Announce OUTPUT, a cloud: a file, or the standard output. */
+void
+announceCloud(const std::string& path, OutputFiles& outputs);
+
 /** \brief Write a cloud in the format that the extension of a file says.
  *  \param[in] path was announced */
 void

@@ -89,20 +89,6 @@ requireNames(const std::vector<std::string>& scans)
         "could have; give it without --output-dir");
 }
 
-/** Of the names of scans, those of their outputs are made. */
-void
-requireDifferentNames(const std::vector<std::string>& scans)
-{
-  std::map<std::string, std::string> known;
-  for (const std::string& scan : scans) {
-    const auto [other, is_new] = known.emplace(nameOfScan(scan), scan);
-    if (!is_new)
-      throw UsageError(
-          other->second + " and " + scan + " have the same name, '" + other->first +
-          "', and would have the same outputs; names of scans must differ");
-  }
-}
-
 } // namespace
 
 void
@@ -162,8 +148,22 @@ parseScans(int argc,
     throw UsageError(
         "SCAN is needed with --output-dir, at least 1 file name; given: 0");
   requireNames(many.scans);
-  requireDifferentNames(many.scans);
+  requireDifferentNames(many.scans, nameOfScan);
   return true;
+}
+
+void
+requireDifferentNames(const std::vector<std::string>& scans,
+                      const std::function<std::string(const std::string&)>& named)
+{
+  std::map<std::string, std::string> known;
+  for (const std::string& scan : scans) {
+    const auto [other, is_new] = known.emplace(named(scan), scan);
+    if (!is_new)
+      throw UsageError(
+          other->second + " and " + scan + " have the same name, '" + other->first +
+          "', and would have the same outputs; names of scans must differ");
+  }
 }
 
 void

@@ -11,6 +11,7 @@
 
 #include "command_line.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,6 @@ struct ManyScans {
   std::string output_dir; ///< where each has its OUTPUT
   std::string format;     ///< of these: extension without the dot
   std::string summary;    ///< a table with a row for each scan
-  /** All that is read for all of them, which no output is written over. */
-  std::vector<std::string> inputs;
 };
 
 /** \brief Format: that of the scan where it can be written, else the first one. */
@@ -67,6 +66,13 @@ parseScans(int argc,
 /** \brief Put the name of a scan in the place of each `{}`. */
 void
 insertName(const std::string& scan, const std::vector<NameOption>& options);
+
+/** \brief Refuse scans that would have the same name.
+ *  \param[in] named makes one of a path
+ *  \throws UsageError */
+void
+requireDifferentNames(const std::vector<std::string>& scans,
+                      const std::function<std::string(const std::string&)>& named);
 
 /** \brief The name of a scan, also of one that cannot be read: what is wrong with it
  *  shows when it is. */

@@ -90,7 +90,7 @@ endedByOthers()
 } // namespace
 
 ToolOutputs::ToolOutputs(const std::vector<std::string>& inputs)
-: OutputFiles(inputs), before_(outputs_of_tool)
+: OutputFiles(inputs, outputs_of_tool), before_(outputs_of_tool)
 {
   outputs_of_tool = this;
 }

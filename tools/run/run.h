@@ -27,6 +27,8 @@ namespace pcl_cid::tools {
  *  destructor lacks memory. */
 class ToolOutputs : public OutputFiles {
 public:
+  /** \param[in] inputs files that must never be written over, beside those of the older
+   *  ones */
   explicit ToolOutputs(const std::vector<std::string>& inputs);
   ~ToolOutputs();
 

@@ -33,7 +33,7 @@ namespace {
 /** The scans of a call, and what became of them so far. */
 class ScanBatch {
 public:
-  ScanBatch(const ScanWork& work, ManyScans& many, bool quiet)
+  ScanBatch(const ScanWork& work, const ManyScans& many, bool quiet)
   : work_(work), many_(many), console_(quiet)
   {
     for (const std::string& scan : many.scans)
@@ -41,19 +41,19 @@ public:
   }
 
   /** All that is read; a scan that cannot be read fails. */
-  void
+  std::vector<std::string>
   gatherInputs()
   {
-    std::vector<std::string> all;
+    std::vector<std::string> all{many_.list};
     for (ScanRow& row : rows_) {
       std::vector<std::string> inputs{row.scan};
       attemptWith(row, [&] {
         inputs = work_.inputs(row.scan);
-        requireReadable(row.scan, inputs);
+        requireReadable(row.scan, work_.has_format, inputs);
       });
       all.insert(all.end(), inputs.begin(), inputs.end());
     }
-    many_.inputs = std::move(all);
+    return all;
   }
 
   /** Make sure that all outputs can be written, each for one scan.
@@ -67,7 +67,7 @@ public:
     for (const ScanRow& row : rows_) {
       if (!row.error.empty())
         continue;
-      ToolOutputs of_scan(many_.inputs);
+      ToolOutputs of_scan({}); // the inputs are those of the call
       work_.announce(row.scan, of_scan);
       for (const std::string& file : of_scan.files())
         if (const auto [other, is_new] = writer.emplace(file, row.scan); !is_new)
@@ -124,10 +124,12 @@ private:
   /** What can be told about a scan and the files that belong to it without reading
    *  them. */
   static void
-  requireReadable(const std::string& scan, const std::vector<std::string>& inputs)
+  requireReadable(const std::string& scan,
+                  bool has_format,
+                  const std::vector<std::string>& inputs)
   {
     // It may have been recognized by its content; if not, the reader knows why.
-    if (!isScan(scan) && !isFileNamedAsScan(scan))
+    if (!has_format && !isScan(scan) && !isFileNamedAsScan(scan))
       readScan(scan);
     for (const std::string& input : inputs)
       if (!input.empty() && access(input.c_str(), R_OK) != 0)
@@ -152,7 +154,7 @@ private:
   }
 
   const ScanWork& work_;
-  ManyScans& many_;
+  const ManyScans& many_;
   Console console_;
   std::vector<ScanRow> rows_;
   std::vector<FailedScan> failed_;
@@ -175,11 +177,11 @@ writeSummary(const ScanWork& work,
 } // namespace
 
 void
-doEachScan(const ScanWork& work, ManyScans& many, bool quiet)
+doEachScan(const ScanWork& work, const ManyScans& many, bool quiet)
 {
   ScanBatch batch(work, many, quiet);
-  batch.gatherInputs();
-  ToolOutputs outputs(many.inputs); // first: scans have theirs while these are there
+  // Those of the scans come and go while these are there, and keep off their inputs.
+  ToolOutputs outputs(batch.gatherInputs());
   outputs.announceFolder(many.output_dir);
   if (!many.summary.empty())
     outputs.announce(many.summary);

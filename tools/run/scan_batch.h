@@ -25,6 +25,7 @@ struct ScanWork {
   const char* tool;
   const char* doing; ///< "Segmenting"
   const char* done;  ///< "segmented"
+  bool has_format;   ///< whether it is said which format all scans have
   std::function<std::vector<std::string>(const std::string&)> inputs;
   std::function<void(const std::string&, OutputFiles&)> announce;
   std::function<ScanFigures(const std::string&)> run;
@@ -34,12 +35,11 @@ struct ScanWork {
  *  known before is checked before: a scan that cannot be read fails at once, an
  *  output that cannot be written, or means a file that is written or read elsewhere,
  *  stops all.
- *  \param[in,out] many gets its inputs before anything is announced
  *  \throws CIDException when an output cannot be written, or, at the end, when scans
  *  failed
  *  \throws Interrupted those that are done stay */
 void
-doEachScan(const ScanWork& work, ManyScans& many, bool quiet);
+doEachScan(const ScanWork& work, const ManyScans& many, bool quiet);
 
 /** \brief The same with what a tool has for one scan: inputsOf(), announceOutputs() and
  *  nameOptions() of its settings.
@@ -63,6 +63,7 @@ doEachScan(const char* tool,
   doEachScan({tool,
               doing,
               done,
+              !settings.input_format.empty(),
               [&](const std::string& scan) { return inputsOf(settingsFor(scan)); },
               [&](const std::string& scan, OutputFiles& outputs) {
                 announceOutputs(settingsFor(scan), outputs);

@@ -113,7 +113,7 @@ ScanFigures
 writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
 {
   Run run(tool, settings.quiet, inputFiles(settings));
-  run.outputs.announce(settings.output);
+  announceCloud(settings.output, run.outputs);
   announcePicture(settings.html, run.outputs);
   if (!settings.report.empty())
     run.outputs.announce(settings.report);

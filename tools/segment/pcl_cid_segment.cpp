@@ -33,7 +33,7 @@ SegmentedScan
 withTruth(const SegmentSettings& settings, const LoadedScan& scan, Run& run)
 {
   SegmentedScan result;
-  result.name = scanName(settings.input);
+  result.name = scan.name;
   if (!settings.labels_from.empty())
     result.true_labels =
         labelsOf(scan.cloud, settings.labels_from, scan.points, run.remark());

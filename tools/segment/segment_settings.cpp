@@ -126,7 +126,7 @@ void
 announceOutputs(const SegmentSettings& settings, OutputFiles& outputs)
 {
   announceScannetOutputs(settings.scannet, settings.input, outputs);
-  outputs.announce(settings.output);
+  announceCloud(settings.output, outputs);
   if (!settings.propose.empty()) {
     if (holdsLabels(settings.propose))
       throw CIDException(settings.propose +

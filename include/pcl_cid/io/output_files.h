@@ -15,9 +15,12 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace pcl_cid {
@@ -35,8 +38,8 @@ constexpr const char* standard_output = "-";
  *  and what was there before stays. When the process is killed amid the renames, the
  *  next run with outputs in the folder takes them back.
  *
- *  The standard output can be one of them, under the name standard_output: it is held
- * in memory, and gets its bytes once all others are in their places.
+ *  The standard output can be one of them: what is written to it is held in memory
+ *  until all others are in their places.
  *
  *  \code
  *    pcl_cid::OutputFiles outputs({"scan.pcd"});
@@ -47,8 +50,11 @@ constexpr const char* standard_output = "-";
 class PCL_CID_IO_EXPORT OutputFiles {
 public:
   /** \param[in] inputs files that must never be written over, under whatever name they
-   *  have now */
-  explicit OutputFiles(const std::vector<std::string>& inputs);
+   *  have now
+   *  \param[in] around outputs whose inputs must not be written over, either: those of
+   *  a run that this one is a part of; null: none. They must outlive these. */
+  explicit OutputFiles(const std::vector<std::string>& inputs,
+                       const OutputFiles* around = nullptr);
 
   /** \brief Remove what was not committed. */
   ~OutputFiles();
@@ -64,6 +70,12 @@ public:
    *  back */
   void
   announce(const std::string& path);
+
+  /** \brief Let the standard output be one of the outputs, named standard_output in
+   *  write().
+   *  \throws CIDException when it is announced twice */
+  void
+  announceStandardOutput();
 
   /** \brief The same for a folder in which outputs will be announced: it is made when
    *  it is missing, and removed again when nothing is committed.
@@ -121,22 +133,22 @@ private:
     std::string target; ///< the file that it names, links resolved
   };
 
-  /** A file that is never written over. */
-  struct Input {
-    std::string path; ///< as given
-    std::string file; ///< links resolved; empty: nobody can say
-    std::uint64_t device = 0;
-    std::uint64_t number = 0; ///< on the device; 0: it does not exist
+  /** Files that are never written over, by all that tells them apart. */
+  struct Inputs {
+    std::unordered_map<std::string, std::string> by_file; ///< links resolved
+    /** By device and number on it, of those that exist. */
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::string> by_number;
+
+    void
+    add(const std::string& path);
+
+    /** \return the input that a name means, as it was given; null: none */
+    const std::string*
+    find(const std::string& path) const;
   };
 
   void
-  announceStandardOutput();
-
-  void
   sendToStandardOutput() const;
-
-  static Input
-  inputAt(const std::string& path);
 
   void
   refuseInput(const std::string& path) const;
@@ -159,7 +171,8 @@ private:
   Output&
   find(const std::string& path);
 
-  std::vector<Input> inputs_;
+  Inputs inputs_;
+  const OutputFiles* around_;
   std::vector<Output> outputs_;
   std::vector<std::string> made_folders_;
   std::vector<Removal> removals_;

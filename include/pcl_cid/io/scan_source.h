@@ -70,7 +70,7 @@ PCL_CID_IO_EXPORT std::vector<std::string>
 scanFiles(const std::string& path, const std::string& class_table = "");
 
 /** \brief What to call a scan: the id of a scan of ScanNet, the folder of a room, the
- *  file without its extension. */
+ *  file without its extension (nor ".gz"), `standard_input` for "-". */
 PCL_CID_IO_EXPORT std::string
 scanName(const std::string& path);
 

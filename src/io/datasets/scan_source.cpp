@@ -180,7 +180,12 @@ scanName(const std::string& path)
 {
   if (const Dataset* const dataset = datasetOf(path))
     return dataset->scan_name(path);
-  const fs::path name = lastName(withoutGzip(path));
+  if (path == standard_stream)
+    return "standard_input";
+  fs::path name = lastName(withoutGzip(path));
+  if (fs::path inner = name; inner.extension() == ".bin") // of nuScenes: "a.pcd.bin"
+    if ((inner = inner.stem()).extension() == ".pcd")
+      name = inner;
   return (isFolder(path) ? name : name.stem()).string();
 }
 

@@ -82,13 +82,32 @@ requireFileOrNothing(const std::string& path)
                        ": exists and is not a regular file; choose another name");
 }
 
+/** The file that a name means, links resolved; empty when nobody can say. */
+std::string
+fileOf(const std::string& path)
+{
+  std::error_code error;
+  return fs::weakly_canonical(path, error).string();
+}
+
+/** Device and number on it, of a file that exists. */
+std::optional<std::pair<std::uint64_t, std::uint64_t>>
+numberOf(const std::string& path)
+{
+  struct stat status = {};
+  if (stat(path.c_str(), &status) != 0)
+    return std::nullopt;
+  return std::pair<std::uint64_t, std::uint64_t>(status.st_dev, status.st_ino);
+}
+
 } // namespace
 
-OutputFiles::OutputFiles(const std::vector<std::string>& inputs)
+OutputFiles::OutputFiles(const std::vector<std::string>& inputs,
+                         const OutputFiles* around)
+: around_(around)
 {
-  inputs_.reserve(inputs.size());
   for (const std::string& input : inputs)
-    inputs_.push_back(inputAt(input));
+    inputs_.add(input);
 }
 
 OutputFiles::~OutputFiles()
@@ -114,8 +133,6 @@ OutputFiles::discard() noexcept
 void
 OutputFiles::announce(const std::string& path)
 {
-  if (path == standard_output)
-    return announceStandardOutput();
   refuseInput(path);
   requireFolder(path, fs::path(path).parent_path());
   requireFileOrNothing(path);
@@ -139,7 +156,7 @@ void
 OutputFiles::announceStandardOutput()
 {
   if (for_standard_output_)
-    throw CIDException("the standard output is written twice; choose a name");
+    throw CIDException("the standard output is announced twice");
   for_standard_output_.emplace();
 }
 
@@ -285,32 +302,33 @@ OutputFiles::changes()
   return all;
 }
 
-OutputFiles::Input
-OutputFiles::inputAt(const std::string& path)
+void
+OutputFiles::Inputs::add(const std::string& path)
 {
-  Input input{path, "", 0, 0};
-  std::error_code error;
-  input.file = fs::weakly_canonical(path, error).string();
-  struct stat status = {};
-  if (stat(path.c_str(), &status) == 0) {
-    input.device = status.st_dev;
-    input.number = status.st_ino;
-  }
-  return input;
+  if (const std::string file = fileOf(path); !file.empty())
+    by_file.emplace(file, path);
+  if (const auto number = numberOf(path))
+    by_number.emplace(*number, path);
 }
 
 /** Two names may mean one file also through links, hard links and "..". */
+const std::string*
+OutputFiles::Inputs::find(const std::string& path) const
+{
+  if (const auto same = by_file.find(fileOf(path)); same != by_file.end())
+    return &same->second;
+  const auto number = numberOf(path);
+  const auto same = number ? by_number.find(*number) : by_number.end();
+  return same != by_number.end() ? &same->second : nullptr;
+}
+
 void
 OutputFiles::refuseInput(const std::string& path) const
 {
-  const Input output = inputAt(path);
-  for (const Input& input : inputs_) {
-    const bool is_same_file = input.number != 0 && input.number == output.number &&
-                              input.device == output.device;
-    if (is_same_file || (!output.file.empty() && input.file == output.file))
-      throw CIDException(path + ": is the input " + input.path +
+  for (const OutputFiles* run = this; run; run = run->around_)
+    if (const std::string* const input = run->inputs_.find(path))
+      throw CIDException(path + ": is the input " + *input +
                          ", which is never written over; choose another name");
-  }
 }
 
 bool

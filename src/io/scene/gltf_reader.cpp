@@ -32,7 +32,8 @@ template <typename Value>
 Value
 valueAt(const std::string& bytes, std::size_t offset)
 {
-  require(offset + sizeof(Value) <= bytes.size(), "it ends too early");
+  require(offset <= bytes.size() && bytes.size() - offset >= sizeof(Value),
+          "it ends too early");
   Value value{};
   std::memcpy(&value, bytes.data() + offset, sizeof(Value));
   return value;

@@ -99,6 +99,10 @@ TEST_F(ManyScansTest, NeedNamesOfTheirOwnForAllFiles)
   expectRefused(run("pcl_cid_segment", {scan_, file("o.pcd"), "--summary", "x.csv"}),
                 2,
                 {"--summary has no effect without --output-dir"});
+  expectRefused(
+      runAll("pcl_cid_abstract", {"--urdf", file("many/{}.urdf"), "--name", "all"}),
+      2,
+      {"--name", "--output-dir"});
   expectRefused(run("pcl_cid_segment", {"-", scan_, "--output-dir", file("many")}),
                 2,
                 {"SCAN is '-'"});
