@@ -18,12 +18,13 @@ colcon_package() {
   mkdir -p "$workspace"
   # Left alone, colcon has Ninja wait while the machine's load is high. -O0: what is asked
   # here is whether it builds and links, and -O3 takes far longer. A robot needs no
-  # studio, and its packages no Python module.
+  # studio, and its packages no Python module; other builds have all point types.
   run env MAKEFLAGS=-j"$(nproc)" CMAKE_BUILD_PARALLEL_LEVEL="$(nproc)" colcon --log-base "$workspace/log" build \
     --paths . --build-base "$workspace/build" --install-base "$workspace/install" \
     --event-handlers console_direct- \
     --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O0 -DNDEBUG' \
-      -DBUILD_SHARED_LIBS=OFF -DPCL_CID_BUILD_STUDIO=OFF -DPCL_CID_BUILD_PYTHON=OFF "${unity_build[@]}"
+      -DBUILD_SHARED_LIBS=OFF -DPCL_CID_BUILD_STUDIO=OFF -DPCL_CID_BUILD_PYTHON=OFF \
+      -DPCL_CID_FEW_POINT_TYPES=ON "${unity_build[@]}"
   run cmake -DPREFIX="$workspace/install/pcl_cid" -DWORK_DIR="$workspace/consumer" \
     -P test/consumer/run.cmake
 }

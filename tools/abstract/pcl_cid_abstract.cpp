@@ -52,8 +52,6 @@ localViewpoints(const AbstractSettings& settings,
 {
   if (settings.viewpoints == "cloud")
     return {scan.points.points->sensor_origin_.head<3>().cast<double>()};
-  for (Eigen::Vector3d& position : read)
-    position *= scan.cloud.scale;
   return scan.points.frame.toLocal(std::move(read));
 }
 

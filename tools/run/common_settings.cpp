@@ -16,7 +16,21 @@
 
 #include <pcl_cid/io/scan_source.h>
 
+#include <algorithm>
+
 namespace pcl_cid::tools {
+namespace {
+
+/** What a scan may be read as; how it is packed, its content tells. */
+std::vector<std::string>
+fileFormats()
+{
+  std::vector<std::string> formats = withoutDots(scanExtensions());
+  formats.erase(std::remove(formats.begin(), formats.end(), "gz"), formats.end());
+  return formats;
+}
+
+} // namespace
 
 int
 Settings::numberOfSeeds(std::size_t points) const
@@ -67,7 +81,7 @@ declareReadingOptions(Settings& settings, CommandLine& line)
   line.word(
       "input-format",
       "F",
-      withoutDots(scanExtensions()),
+      fileFormats(),
       settings.input_format,
       "read INPUT as a file with this extension, whatever its name says; INPUT - is "
       "the standard input, whose format its content may not tell");

@@ -52,7 +52,7 @@ usualSpacing(const TriangleMesh& mesh);
 /** \brief Points on the surface of a mesh: no two are nearer to each other than the
  *  spacing, and all of the surface is within 1.5 times the spacing of one.
  *
- *  Candidates are laid over the triangles evenly, 12 for a square of the spacing; one
+ *  Candidates are laid over the triangles in rows, 8 for a square of the spacing; one
  *  after the other is taken unless a point that was taken is too near. Deterministic.
  *  About 0.7 points for a square of the spacing remain, and these cost about a
  *  microsecond each.

@@ -98,9 +98,7 @@ formatOf(const OpenedFile& file, const std::string& path, const std::string& giv
     return *format;
   refuseForeignFormat(stream, path);
   throw CIDException(path + ": " + noneOfAll() +
-                     (path == standard_stream
-                          ? " by its content; say which it is (--input-format)"
-                          : ""));
+                     " by its content and its name; say which it is (--input-format)");
 }
 
 /** Whatever a reader has left undone shows here, not when the cloud is used. */

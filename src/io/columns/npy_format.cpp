@@ -16,15 +16,27 @@
 #include "text/numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <istream>
-#include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace pcl_cid {
 namespace {
+
+/** What programs call vectors, and the columns that these are. */
+const std::map<std::string, std::array<const char*, 3>> known_vectors{
+    {"position", {"x", "y", "z"}},
+    {"positions", {"x", "y", "z"}},
+    {"point", {"x", "y", "z"}},
+    {"points", {"x", "y", "z"}},
+    {"color", {"r", "g", "b"}},
+    {"colors", {"r", "g", "b"}},
+    {"normal", {"nx", "ny", "nz"}},
+    {"normals", {"nx", "ny", "nz"}}};
 
 /** The datatype of a field of a cloud. */
 std::uint8_t
@@ -128,9 +140,8 @@ private:
   plainColumns()
   {
     const std::vector<std::uint64_t>& lengths = header_.shape;
-    constexpr std::uint64_t most_columns = 1000; // more are no points
     if ((lengths.size() != 2 && lengths.size() != 3) || lengths.back() < 3 ||
-        lengths.back() > most_columns)
+        lengths.back() > most_numbers_of_point)
       fail("is an array of the shape ",
            shape(),
            "; a row of 3 or more numbers is needed for each point");
@@ -171,8 +182,17 @@ private:
     PointColumns columns = columnsOfShape(dimensions);
     const std::uint64_t points = std::uint64_t{columns.width} * columns.height;
     std::size_t step = 0;
-    for (const NpyField& field : header_.fields)
+    std::size_t numbers = 0;
+    for (const NpyField& field : header_.fields) {
       step += field.bytes();
+      numbers += field.count;
+    }
+    if (numbers > most_numbers_of_point)
+      fail("holds ",
+           numbers,
+           " numbers a point; at most ",
+           most_numbers_of_point,
+           " are possible");
     const std::vector<std::uint8_t> bytes = body(points, step);
     std::size_t offset = 0;
     for (const NpyField& field : header_.fields)
@@ -194,6 +214,9 @@ private:
   {
     if (field.count == 1)
       return fieldNameOf(field.name);
+    if (const auto known = known_vectors.find(field.name);
+        known != known_vectors.end() && field.count == 3)
+      return fieldNameOf(known->second[number]);
     if (field.name.size() == field.count)
       return fieldNameOf(std::string(1, field.name[number]));
     return fieldNameOf(field.name + "_" + std::to_string(number));

@@ -15,6 +15,7 @@
 #include <pcl_cid/exceptions.h>
 
 #include <array>
+#include <cctype>
 #include <istream>
 #include <optional>
 #include <string_view>
@@ -54,6 +55,8 @@ jsonOf(std::string_view literal)
         json.pop_back(); // JSON ends no list with a comma
       json += c == ')' ? ']' : c;
     }
+    else if (c == 'L' && !json.empty() && std::isdigit(json.back()))
+      continue; // a long of Python 2
     else if (c == '(')
       json += '[';
     else if (literal.substr(i, 4) == "True" || literal.substr(i, 5) == "False") {
@@ -66,14 +69,18 @@ jsonOf(std::string_view literal)
   return json;
 }
 
+/** \return 0 for what is no number of columns that a cloud may have */
 std::size_t
 numbersIn(const Json& shape)
 {
-  if (shape.is_number_unsigned())
-    return shape.get<std::size_t>();
   std::size_t product = 1;
-  for (const Json& length : shape)
-    product *= length.get<std::size_t>();
+  for (const Json& length : shape.is_array() ? shape : Json::array({shape})) {
+    const bool is_small = length.is_number_unsigned() &&
+                          length.get<std::uint64_t>() <= most_numbers_of_point;
+    product = is_small ? product * length.get<std::size_t>() : 0;
+    if (product > most_numbers_of_point)
+      return 0;
+  }
   return product;
 }
 
@@ -91,16 +98,30 @@ public:
     const Json dictionary = Json::parse(jsonOf(text()));
     NpyHeader header;
     header.is_fortran_order = dictionary.at("fortran_order").get<bool>();
-    header.shape = dictionary.at("shape").get<std::vector<std::uint64_t>>();
+    for (const Json& length : dictionary.at("shape")) {
+      if (!length.is_number_unsigned())
+        fail("has the shape ", dictionary.at("shape").dump(), ", which is none");
+      header.shape.push_back(length.get<std::uint64_t>());
+    }
     const Json& description = dictionary.at("descr");
     if (description.is_string())
       header.fields.push_back(field(description.get<std::string>(), ""));
     else
       for (const Json& each : description) {
+        if (!each.at(1).is_string())
+          fail("has the field ",
+               each.at(0).dump(),
+               ", a record itself, which is not read");
         header.fields.push_back(
             field(each.at(1).get<std::string>(), each.at(0).get<std::string>()));
         if (each.size() > 2)
           header.fields.back().count = numbersIn(each.at(2));
+        if (header.fields.back().count == 0)
+          fail("has a field of the shape ",
+               each.at(2).dump(),
+               "; a point has at most ",
+               most_numbers_of_point,
+               " numbers");
       }
     return header;
   }

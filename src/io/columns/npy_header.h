@@ -17,6 +17,9 @@
 
 namespace pcl_cid {
 
+/** \brief Numbers that a point may have. */
+constexpr std::size_t most_numbers_of_point = 1000;
+
 /** \brief Numbers of one type in an element of an array. */
 struct NpyField {
   std::string name;     ///< empty where the element is one number

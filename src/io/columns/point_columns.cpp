@@ -65,14 +65,30 @@ isWhole(const Values& values, double least, double most)
   });
 }
 
-bool
-areBytes(const PointColumns& columns, std::size_t first)
+/** What three columns hold, as their values tell. */
+enum class Triple { normals, colors, none };
+
+Triple
+kindOf(const PointColumns& columns, std::size_t first)
 {
   if (columns.values.size() < first + 3)
-    return false;
-  return std::all_of(columns.values.begin() + static_cast<std::ptrdiff_t>(first),
-                     columns.values.begin() + static_cast<std::ptrdiff_t>(first) + 3,
-                     [](const Values& values) { return isWhole(values, 0.0, 255.0); });
+    return Triple::none;
+  constexpr double tolerance = 0.01;
+  bool are_unit = true;
+  bool are_bytes = true;
+  bool are_shares = true; // of white
+  for (std::size_t i = 0; i < columns.values[first].size(); ++i) {
+    const Eigen::Vector3d v(columns.values[first][i],
+                            columns.values[first + 1][i],
+                            columns.values[first + 2][i]);
+    are_unit = are_unit && std::abs(v.norm() - 1.0) < tolerance;
+    are_shares = are_shares && v.minCoeff() >= 0.0 && v.maxCoeff() <= 1.0;
+    are_bytes = are_bytes && v.minCoeff() >= 0.0 && v.maxCoeff() <= 255.0 &&
+                v == v.array().floor().matrix();
+  }
+  return are_unit                  ? Triple::normals
+         : are_bytes || are_shares ? Triple::colors
+                                   : Triple::none;
 }
 
 /** The names of columns that have none, by their order. */
@@ -86,7 +102,8 @@ usualNames(const PointColumns& columns)
   const std::size_t count = columns.values.size();
   if (columns.are_of_pts && count > 3)
     add({"intensity"});
-  if (areBytes(columns, names.size()))
+  const Triple triple = kindOf(columns, names.size());
+  if (triple == Triple::colors)
     add({"red", "green", "blue"});
   if (count == names.size() + 3)
     add({"normal_x", "normal_y", "normal_z"});
@@ -98,23 +115,31 @@ usualNames(const PointColumns& columns)
   return names;
 }
 
+/** How far most values are apart: a few astray do not count. */
+double
+extentOfBulk(const Values& values)
+{
+  constexpr std::size_t enough = 10000;
+  Values drawn;
+  for (std::size_t i = 0; i < values.size(); i += values.size() / enough + 1)
+    if (std::isfinite(values[i]))
+      drawn.push_back(values[i]);
+  std::sort(drawn.begin(), drawn.end());
+  const std::size_t astray = drawn.size() / 20;
+  return drawn.empty() ? 0.0 : drawn[drawn.size() - 1 - astray] - drawn[astray];
+}
+
 /** Whether the largest error of float is small beside the extent of the values. */
 bool
 fitsFloat(const Values& values)
 {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
   double error = 0.0;
-  for (const double value : values) {
-    if (!std::isfinite(value))
-      continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-    error = std::max(error,
-                     std::abs(value - static_cast<double>(static_cast<float>(value))));
-  }
+  for (const double value : values)
+    if (std::isfinite(value))
+      error = std::max(
+          error, std::abs(value - static_cast<double>(static_cast<float>(value))));
   constexpr double small_share = 1e-6;
-  return error <= small_share * (high - low) || error == 0.0;
+  return error == 0.0 || error <= small_share * extentOfBulk(values);
 }
 
 std::uint8_t
@@ -149,9 +174,10 @@ public:
   {
     cloud_.fields.width = columns_.width;
     cloud_.fields.height = columns_.height;
-    has_bytes_of_color_ = hasWholeColors(255.0);
-    channel_type_ = hasWholeColors(65535.0) ? pcl::PCLPointField::UINT16
-                                            : pcl::PCLPointField::FLOAT32;
+    has_bytes_of_color_ = hasWholeColors(255.0) && !areShares();
+    channel_type_ = hasWholeColors(65535.0) && !areShares()
+                        ? pcl::PCLPointField::UINT16
+                        : pcl::PCLPointField::FLOAT32;
     const std::uint8_t coordinates = coordinateType();
     for (std::size_t k = 0; k < columns_.names.size(); ++k)
       addColumn(k, coordinates);
@@ -192,6 +218,17 @@ private:
     return std::all_of(std::begin(channels), std::end(channels), [&](const char* name) {
       return find(name) < columns_.names.size() &&
              isWhole(columns_.values[find(name)], 0.0, most);
+    });
+  }
+
+  /** Whether no channel is above 1, so that 1 is white. */
+  bool
+  areShares() const
+  {
+    return std::all_of(std::begin(channels), std::end(channels), [&](const char* name) {
+      const Values& values = columns_.values[find(name)];
+      return std::none_of(
+          values.begin(), values.end(), [](double v) { return v > 1.0; });
     });
   }
 

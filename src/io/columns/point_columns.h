@@ -45,10 +45,10 @@ namesCoordinates(const std::vector<std::string>& names);
 
 /** \brief Make the columns the fields of a cloud.
  *
- *  Columns without names are named by their order: x y z; then r g b where they are
- *  whole numbers from 0 to 255, else intensity where one column is left, or nx ny nz
- *  where three are. Others become `column_4`, by their number from 1. A remark says
- *  which.
+ *  Columns without names are named by their order: x y z; then nx ny nz where these are
+ *  vectors of length 1, r g b where they are whole numbers from 0 to 255, or numbers
+ * from 0 to 1, intensity where there are four columns or five, nx ny nz where three are
+ * left. Others become `column_4`, by their number from 1. A remark says which.
  *
  *  The type of a field follows from its values: whole numbers become 32-bit integers,
  *  others float, or double where float would be too coarse. Colors of 8 bits become

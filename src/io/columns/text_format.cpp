@@ -12,7 +12,6 @@
 #include "point_columns.h"
 #include "text/file_reading.h"
 #include "text/numbers.h"
-#include "text/opened_file.h"
 #include "text/path_names.h"
 #include "text/words.h"
 #include "text_layout.h"
@@ -50,17 +49,29 @@ commentOf(std::string_view line)
   return std::nullopt;
 }
 
-/** A number, by the layout of its line. An empty cell is none, as NaN is. */
+/** A number; where a comma separates no cells, it may stand for the decimal point. An
+ *  empty cell is none, as NaN is. */
 std::optional<double>
-numberOf(std::string_view cell, const TextLayout& layout)
+numberOf(std::string_view cell, char separator)
 {
   if (cell.empty())
     return not_a_number;
-  if (!layout.has_decimal_comma)
-    return parseLoosely<double>(cell);
+  const std::optional<double> number = parseLoosely<double>(cell);
+  if (number || separator == ',' || cell.find('.') != std::string_view::npos)
+    return number;
   std::string text(cell);
   std::replace(text.begin(), text.end(), ',', '.');
   return parseLoosely<double>(text);
+}
+
+/** The names of fields that a line may hold. */
+std::vector<std::string>
+namesIn(std::string_view line, char separator)
+{
+  std::vector<std::string> names;
+  for (const std::string& cell : cellsOf(line, separator))
+    names.push_back(fieldNameOf(cell));
+  return names;
 }
 
 /** A column of the file. */
@@ -109,14 +120,16 @@ private:
   void
   readHead()
   {
-    std::string names;        // of the last line that may hold some
+    std::string names;        // of a line before the points, or else of a comment
     std::size_t names_at = 0; // that line; 0: it is a comment
     while (nextLine()) {
       if (line_.find('\0') != std::string::npos)
         fail("holds bytes that are no text");
-      if (const auto comment = commentOf(line_))
-        names = *comment;
-      else if (isBlankLine(line_))
+      if (const auto comment = commentOf(line_)) {
+        if (names_at == 0 && namesCoordinates(namesIn(*comment, separatorOf(*comment))))
+          names = *comment;
+      }
+      else if (isBlankLine(line_) || isNameOfSeparator(line_))
         continue;
       else if (const auto count = countIn(line_))
         count_ = count;
@@ -128,6 +141,13 @@ private:
         return beginColumns(names, names_at);
     }
     throw CIDException(cloud_.name + ": holds no points; at least 1 is needed");
+  }
+
+  /** "sep=;", as spreadsheets write it. */
+  static bool
+  isNameOfSeparator(std::string_view line)
+  {
+    return line.substr(0, 4) == "sep=" && line.size() <= 6;
   }
 
   /** The number of points that follow, as a PTS has it: a whole number alone. */
@@ -142,9 +162,11 @@ private:
   static bool
   isPoint(std::string_view line)
   {
-    const TextLayout layout = layoutOf(line);
-    const std::optional<std::string_view> cell = takeCell(line, layout);
-    return cell && numberOf(*cell, layout);
+    const char separator = separatorOf(line);
+    if (namesCoordinates(namesIn(line, separator)))
+      return false;
+    const std::optional<std::string_view> cell = takeCell(line, separator);
+    return cell && numberOf(*cell, separator);
   }
 
   /** \param[in] names a comment, or the line before the points
@@ -152,14 +174,17 @@ private:
   void
   beginColumns(const std::string& names, std::size_t names_at)
   {
-    layout_ = layoutOf(line_);
+    separator_ = separatorOf(line_);
     first_point_ = line_number_;
-    const std::vector<std::string> cells = cellsOf(line_, layout_);
+    std::vector<std::string> cells = cellsOf(line_, separator_);
+    // Some programs end a line with a separator.
+    if (cells.back().empty() && namesIn(names, separator_).size() != cells.size())
+      cells.pop_back();
     columns_.resize(cells.size());
     takeNames(names, names_at);
     for (std::size_t k = 0; k < cells.size(); ++k)
       columns_[k].has_numbers =
-          isNeeded(columns_[k].name) || numberOf(cells[k], layout_);
+          isNeeded(columns_[k].name) || numberOf(cells[k], separator_);
     values_.resize(cells.size());
   }
 
@@ -175,10 +200,8 @@ private:
   void
   takeNames(const std::string& line, std::size_t names_at)
   {
-    for (const TextLayout& layout : {layout_, layoutOf(line)}) {
-      std::vector<std::string> names;
-      for (const std::string& cell : cellsOf(line, layout))
-        names.push_back(fieldNameOf(cell));
+    for (const char separator : {separator_, separatorOf(line)}) {
+      const std::vector<std::string> names = namesIn(line, separator);
       if (names.size() != columns_.size() || !namesCoordinates(names))
         continue;
       for (std::size_t k = 0; k < names.size(); ++k)
@@ -202,7 +225,7 @@ private:
   void
   takeLine()
   {
-    if (commentOf(line_) || isBlankLine(line_))
+    if (isBlankLine(line_) || (commentOf(line_) && !isErrorOfSpreadsheet(line_)))
       return;
     const auto more = count_ ? countIn(line_) : std::nullopt;
     if (more) // a PTS of several scans
@@ -211,11 +234,22 @@ private:
       takePoint(line_);
   }
 
+  /** "#N/A" and the like stand where a number is missing. */
+  static bool
+  isErrorOfSpreadsheet(std::string_view line)
+  {
+    for (const std::string_view error :
+         {"#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#REF!"})
+      if (line.substr(0, error.size()) == error)
+        return true;
+    return false;
+  }
+
   void
   takePoint(std::string_view line)
   {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const std::optional<std::string_view> cell = takeCell(line, layout_);
+      const std::optional<std::string_view> cell = takeCell(line, separator_);
       if (!cell)
         fail(countOf(k, "value"),
              "; as on line ",
@@ -224,12 +258,12 @@ private:
              columns_.size());
       if (!columns_[k].has_numbers)
         continue;
-      const std::optional<double> number = numberOf(*cell, layout_);
+      const std::optional<double> number = numberOf(*cell, separator_);
       if (!number)
         fail("'", cell->substr(0, 32), "' is no number", ofColumn(k));
       values_[k].push_back(*number);
     }
-    while (const std::optional<std::string_view> cell = takeCell(line, layout_))
+    while (const std::optional<std::string_view> cell = takeCell(line, separator_))
       if (!cell->empty()) // some programs end a line with a separator
         fail("more than the ", columns_.size(), " values of line ", first_point_);
     if (++points_ > most_points)
@@ -274,9 +308,6 @@ private:
       cloud_.remarks.push_back("columns without numbers are passed over: " +
                                listed(passed_over, "and"));
     columns.are_of_pts = count_.has_value();
-    if (columns.names.empty() && columns.values.size() == 6 &&
-        extensionOf(withoutGzip(cloud_.name)) == ".xyzrgb")
-      columns.names = {"x", "y", "z", "red", "green", "blue"}; // of Open3D, 0 to 1
     columns.width = static_cast<std::uint32_t>(points_);
     cloud_.layout = {"text", CloudEncoding::ascii};
     return columns;
@@ -289,7 +320,7 @@ private:
   std::size_t line_number_ = 0;
   std::size_t first_point_ = 0;        ///< its line
   std::optional<std::uint64_t> count_; ///< of points, as the file says
-  TextLayout layout_;
+  char separator_ = ' ';
   std::vector<TextColumn> columns_;
   std::vector<std::vector<double>> values_; ///< of each column
   std::size_t points_ = 0;

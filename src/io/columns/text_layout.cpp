@@ -56,8 +56,7 @@ isOfTabs(std::string_view line)
 {
   if (line.find('\t') == std::string_view::npos)
     return false;
-  TextLayout tabs{'\t', false};
-  const std::vector<std::string> cells = cellsOf(line, tabs);
+  const std::vector<std::string> cells = cellsOf(line, '\t');
   return std::none_of(cells.begin(), cells.end(), [](const std::string& cell) {
     return cell.find(' ') != std::string::npos;
   });
@@ -65,38 +64,41 @@ isOfTabs(std::string_view line)
 
 } // namespace
 
-TextLayout
-layoutOf(std::string_view line)
+char
+separatorOf(std::string_view line)
 {
   const auto has = [line](char c) { return line.find(c) != std::string_view::npos; };
-  const bool has_comma = has(',');
   if (has(';'))
-    return {';', has_comma && !has('.')};
-  if (has_comma && !hasDecimalCommas(line))
-    return {',', false};
-  return {isOfTabs(line) ? '\t' : ' ', has_comma};
+    return ';';
+  if (has(',') && !hasDecimalCommas(line))
+    return ',';
+  return isOfTabs(line) ? '\t' : ' ';
 }
 
 std::optional<std::string_view>
-takeCell(std::string_view& line, const TextLayout& layout)
+takeCell(std::string_view& line, char separator)
 {
-  if (layout.separator == ' ') {
+  if (separator == ' ') {
     const std::string_view word = takeWord(line);
     return word.empty() ? std::nullopt : std::optional(bare(word));
   }
   if (!line.data())
     return std::nullopt;
-  const std::size_t end = line.find(layout.separator);
+  std::size_t begin = line.find_first_not_of(' ');
+  if (begin < line.size() && line[begin] == '"')
+    begin = line.find('"', begin + 1);
+  const std::size_t end =
+      begin < line.size() ? line.find(separator, begin) : std::string_view::npos;
   const std::string_view cell = bare(line.substr(0, end));
   line = end == std::string_view::npos ? std::string_view() : line.substr(end + 1);
   return cell;
 }
 
 std::vector<std::string>
-cellsOf(std::string_view line, const TextLayout& layout)
+cellsOf(std::string_view line, char separator)
 {
   std::vector<std::string> cells;
-  while (const std::optional<std::string_view> cell = takeCell(line, layout))
+  while (const std::optional<std::string_view> cell = takeCell(line, separator))
     cells.emplace_back(*cell);
   return cells;
 }

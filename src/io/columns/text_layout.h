@@ -16,26 +16,21 @@
 
 namespace pcl_cid {
 
-/** \brief What separates the cells of a line, and what the decimals of a number. */
-struct TextLayout {
-  char separator = ' '; ///< ',', ';' or '\t'; ' ' for any number of blanks
-  bool has_decimal_comma = false;
-};
+/** \brief What separates the cells of a line: ';' where there is one, else ',' unless
+ * the line has blanks and commas within its words are decimal ones, else '\t', or ' '
+ * for any number of blanks. */
+char
+separatorOf(std::string_view line);
 
-/** \brief The layout of a line: its cells are separated by ';' where there is one, else
- *  by tabs, by blanks where that gives three numbers with a comma inside, else by ','.
- */
-TextLayout
-layoutOf(std::string_view line);
-
-/** \brief Cut the next cell off a line, without blanks and quotes around it.
+/** \brief Cut the next cell off a line, without blanks and quotes around it. In quotes,
+ *  a separator that is no blank separates nothing.
  *  \param[in,out] line without data once nothing is left
  *  \return none when nothing was left */
 std::optional<std::string_view>
-takeCell(std::string_view& line, const TextLayout& layout);
+takeCell(std::string_view& line, char separator);
 
 /** \brief All cells of a line. */
 std::vector<std::string>
-cellsOf(std::string_view line, const TextLayout& layout);
+cellsOf(std::string_view line, char separator);
 
 } // namespace pcl_cid

@@ -9,6 +9,7 @@
 
 #include "base/sentence.h"
 #include "surface_formats.h"
+#include "text/file_reading.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -29,7 +30,8 @@ public:
   TriangleMesh
   mesh()
   {
-    for (std::string line; std::getline(stream_, line);) {
+    const char line_end = lineEndOf(stream_);
+    for (std::string line; std::getline(stream_, line, line_end);) {
       ++line_number_;
       std::string_view rest = line;
       const std::string_view statement = takeWord(rest);

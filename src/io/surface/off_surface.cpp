@@ -70,11 +70,13 @@ private:
   readHeader()
   {
     nextLine();
+    const std::string_view line = rest_;
     const std::string_view word = takeWord(rest_);
     constexpr std::string_view magic = "OFF";
-    if (word.size() < magic.size() ||
-        word.substr(word.size() - magic.size()) != magic ||
-        word.find_first_not_of("STCN") != word.size() - magic.size())
+    const std::size_t place = word.find(magic);
+    if (place != std::string_view::npos) // counts may follow at once
+      rest_ = line.substr(line.find(magic) + magic.size());
+    if (place == std::string_view::npos || word.find_first_not_of("STCN") != place)
       fail("'", word.substr(0, 32), "' begins no OFF in ascii with three coordinates");
     if (rest_.find_first_not_of(usual_blanks) == std::string_view::npos)
       nextLine();

@@ -9,10 +9,13 @@
 
 #include "base/sentence.h"
 #include "surface_formats.h"
+#include "text/file_reading.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
 #include <istream>
 #include <string_view>
@@ -22,6 +25,15 @@ namespace {
 
 constexpr std::uint64_t header_bytes = 80 + 4; // a text, and the number of triangles
 constexpr std::uint64_t triangle_bytes = 50;
+
+std::string
+inSmallLetters(std::string_view word)
+{
+  std::string letters(word);
+  for (char& letter : letters)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return letters;
+}
 
 void
 addTriangle(const std::array<Eigen::Vector3d, 3>& corners, TriangleMesh& mesh)
@@ -86,10 +98,11 @@ asciiMesh(std::istream& stream, const std::string& name)
   const auto fail = [&](const std::string& what) {
     throw CIDException(sentence(name, ": line ", line_number, ": ", what));
   };
-  for (std::string line; std::getline(stream, line);) {
+  const char line_end = lineEndOf(stream);
+  for (std::string line; std::getline(stream, line, line_end);) {
     ++line_number;
     std::string_view rest = line;
-    const std::string_view word = takeWord(rest);
+    const std::string word = inSmallLetters(takeWord(rest));
     if (word == "solid")
       is_open = true;
     else if (word == "endsolid")
@@ -125,13 +138,13 @@ readSTLSurface(std::istream& stream, std::uint64_t size, const std::string& name
   const std::uint64_t count = announced(stream);
   stream.clear();
   const std::uint64_t needed = header_bytes + count * triangle_bytes;
-  if (size >= header_bytes && size == needed) {
+  if (count > 0 && size >= needed) { // some programs add something of their own
     stream.seekg(static_cast<std::streamoff>(header_bytes));
     return binaryMesh(stream, count, name);
   }
   stream.seekg(0);
   std::string word;
-  if (stream >> word && word == "solid") {
+  if (stream >> word && inSmallLetters(word) == "solid") {
     stream.seekg(0);
     return asciiMesh(stream, name);
   }

@@ -14,6 +14,7 @@
 #include <pcl_cid/core/settings.h>
 #include <pcl_cid/io/mesh_surface.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -50,6 +51,23 @@ areaOf(const TriangleMesh& mesh)
   return area;
 }
 
+double
+longestEdge(const Triangle& t)
+{
+  return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+}
+
+/** The sum of the longest edges that are at least as long as this. */
+double
+lengthOf(const TriangleMesh& mesh, double least)
+{
+  double length = 0.0;
+  for (const auto& corners : mesh.triangles)
+    if (const double edge = longestEdge(triangleOf(mesh, corners)); edge >= least)
+      length += edge;
+  return length;
+}
+
 /** Takes points that are not too near to those that it took. */
 class Thinning {
 public:
@@ -61,7 +79,7 @@ public:
     const Cell home = cellOf(point);
     if (isNear(point, home))
       return;
-    for (const Cell& step : steps())
+    for (const Cell& step : stepsAround())
       if (isNear(point, {home[0] + step[0], home[1] + step[1], home[2] + step[2]}))
         return;
     if (points_.size() == most_points)
@@ -99,7 +117,7 @@ private:
 
   /** To the cells around one, those that are likely to hold a near point first. */
   static const std::vector<Cell>&
-  steps()
+  stepsAround()
   {
     static const std::vector<Cell> steps = [] {
       std::vector<Cell> list;
@@ -141,35 +159,36 @@ private:
   std::unordered_map<Cell, std::size_t, CellHash> last_; ///< the last point of a cell
 };
 
-/** Offer the middles of pieces of a triangle so small that each point of it is within a
- *  third of the spacing of one: the longest edge is halved until it is half the
- *  spacing. */
-void
-offerPieces(const Triangle& whole, double spacing, Thinning& thinning)
+/** How many steps of at most this length make up a whole. */
+std::size_t
+steps(double whole, double longest_step)
 {
-  std::vector<Triangle> open{whole};
-  while (!open.empty()) {
-    const Triangle t = open.back();
-    open.pop_back();
-    std::size_t longest = 0; // the edge that begins at this corner
-    double squared_length = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double squared = (t[(k + 1) % 3] - t[k]).squaredNorm();
-      if (squared > squared_length) {
-        squared_length = squared;
-        longest = k;
-      }
-    }
-    if (squared_length <= 0.25 * spacing * spacing) {
-      thinning.offer((t[0] + t[1] + t[2]) / 3.0);
-      continue;
-    }
-    const Vector& from = t[longest];
-    const Vector& to = t[(longest + 1) % 3];
-    const Vector& apex = t[(longest + 2) % 3];
-    const Vector middle = 0.5 * (from + to);
-    open.push_back({middle, to, apex});
-    open.push_back({from, middle, apex});
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::ceil(whole / longest_step)));
+}
+
+/** Offer points of a triangle so that each point of it is within 0.36 times the spacing
+ *  of one: in rows along its longest edge, a quarter of the spacing apart, at steps of
+ *  half of it. The angles at that edge are acute, so what is above a row projects into
+ *  it. */
+void
+offerRows(Triangle t, double spacing, Thinning& thinning)
+{
+  const auto length = [&t](int k) { return (t[(k + 1) % 3] - t[k]).norm(); };
+  while (length(0) < std::max(length(1), length(2)))
+    std::rotate(t.begin(), t.begin() + 1, t.end());
+  const Vector base = t[1] - t[0];
+  const double height =
+      base.isZero() ? 0.0 : base.cross(t[2] - t[0]).norm() / base.norm();
+  const std::size_t rows = steps(height, 0.25 * spacing);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double up = static_cast<double>(row) / static_cast<double>(rows);
+    const Vector from = t[0] + up * (t[2] - t[0]);
+    const Vector along = (1.0 - up) * base;
+    const std::size_t points = steps(along.norm(), 0.5 * spacing);
+    for (std::size_t k = 0; k < points; ++k)
+      thinning.offer(from + (static_cast<double>(k) + 0.5) /
+                                static_cast<double>(points) * along);
   }
 }
 
@@ -179,14 +198,17 @@ double
 usualSpacing(const TriangleMesh& mesh)
 {
   constexpr double usual_points = 200000.0;
-  return std::sqrt(usual_density * areaOf(mesh) / usual_points);
+  const double spacing = std::sqrt(usual_density * areaOf(mesh) / usual_points);
+  // Slivers have many points and hardly any area.
+  return std::max(spacing, lengthOf(mesh, spacing) / (2.0 * usual_points));
 }
 
 std::vector<Eigen::Vector3d>
 sampleSurface(const TriangleMesh& mesh, double spacing)
 {
   require(setting::mesh_spacing.withoutZero(), spacing);
-  const double expected = usual_density * areaOf(mesh) / (spacing * spacing);
+  const double expected = usual_density * areaOf(mesh) / (spacing * spacing) +
+                          lengthOf(mesh, spacing) / spacing;
   if (!(expected < static_cast<double>(most_points)))
     throw CIDException(sentence("with a spacing of ",
                                 spacing,
@@ -195,9 +217,19 @@ sampleSurface(const TriangleMesh& mesh, double spacing)
                                 " points; at most ",
                                 most_points,
                                 " are possible"));
+  double largest = 0.0;
+  for (const Vector& vertex : mesh.vertices)
+    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  constexpr double fine = 1e12; // what double tells apart, and more
+  if (largest > fine * spacing)
+    throw CIDException(sentence("coordinates of ",
+                                largest,
+                                " are too large for a spacing of ",
+                                spacing,
+                                "; move the mesh nearer to the origin"));
   Thinning thinning(spacing);
   for (const auto& corners : mesh.triangles)
-    offerPieces(triangleOf(mesh, corners), spacing, thinning);
+    offerRows(triangleOf(mesh, corners), spacing, thinning);
   return thinning.points();
 }
 

@@ -166,6 +166,19 @@ TEST_F(NpyCloud, IsRefusedWhereItIsNoCloud)
             std::string::npos);
 }
 
+TEST_F(NpyCloud, IsRefusedWhereItsSizesOverflow)
+{
+  for (const char* const shape :
+       {"(2305843009213693951,)", "(4294967296, 4294967296)", "(-1,)"})
+    EXPECT_NE(
+        complaint(npy(
+            header(std::string("[('x', '<f8'), ('a', '<f8', ") + shape + ")]", "(1,)"),
+            "")),
+        "none");
+  EXPECT_NE(complaint(npy(header("'<f4'", "(-60, 3)"), "")).find("which is none"),
+            std::string::npos);
+}
+
 TEST_F(NpyCloud, IsRefusedWhereverItIsCut)
 {
   const std::string whole =

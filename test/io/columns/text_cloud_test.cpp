@@ -121,6 +121,36 @@ goodTexts()
        "a.csv",
        "x,y,z,r,g,b\n1.5,-2,0.25,65535,0,2\n3,4,0.5,0,1,0\n",
        "x:7 y:7 z:7 red:4 green:4 blue:4"},
+      {"NormalsAlongAxes",
+       "a.xyzn",
+       "1.5 -2 0.25 0 0 1\n3 4 0.5 0 1 0\n",
+       "x:7 y:7 z:7 normal_x:7 normal_y:7 normal_z:7"},
+      {"SharesOfWhite",
+       "a.xyzrgb",
+       "1.5 -2 0.25 1 0 1\n3 4 0.5 1 1 1\n",
+       "x:7 y:7 z:7 red:7 green:7 blue:7"},
+      {"TwoComments",
+       "a.txt",
+       "# z y x\n# metres\n0.25 -2 1.5\n0.5 4 3\n",
+       "z:7 y:7 x:7"},
+      {"CommentBelowNames",
+       "a.csv",
+       "x,y,z\n# metres\n1.5,-2,0.25\n3,4,0.5\n",
+       "x:7 y:7 z:7"},
+      {"Pandas",
+       "a.csv",
+       ",x,y,z\n0,1.5,-2,0.25\n1,3,4,0.5\n",
+       "column_1:6 x:7 y:7 z:7"},
+      {"LastSeparators", "a.csv", "1.5,-2,0.25,\n3,4,0.5,\n", "x:7 y:7 z:7"},
+      {"LastSeparatorsBelowNames",
+       "a.csv",
+       "x,y,z\n1.5,-2,0.25,\n3,4,0.5,\n",
+       "x:7 y:7 z:7"},
+      {"QuotedWords",
+       "a.csv",
+       "x,y,z,name\n1.5,-2,0.25,\"chair, big\"\n3,4,0.5,\"a\"\n",
+       "x:7 y:7 z:7"},
+      {"Excel", "a.csv", "sep=;\r\nx;y;z\r\n1,5;-2;0,25\r\n3;4;0,5\r\n", "x:7 y:7 z:7"},
       {"Time",
        "a.csv",
        "x,y,z,time\n1.5,-2,0.25,1700000000.125\n3,4,0.5,1700000000.25\n",
@@ -220,6 +250,25 @@ TEST(TextCloud, KeepsMillimetersFarFromTheOrigin)
   EXPECT_EQ(fieldsOf(cloud), "x:8 y:8 z:8");
   EXPECT_EQ(FileCoordinates(cloud)[1],
             Eigen::Vector3d(691239.004, 5334325.005, 523.006));
+}
+
+TEST(TextCloud, KeepsMillimetersBesideAPointAstray)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("utm.xyz");
+  std::string text = "0 0 0\n";
+  for (int i = 0; i < 100; ++i)
+    text += "691234.0" + std::to_string(10 + i) + " 5334321.002 520.003\n";
+  writeText(path, text);
+  EXPECT_EQ(fieldsOf(readCloud(path)), "x:8 y:8 z:8");
+}
+
+TEST(TextCloud, MayHaveDecimalCommasFromTheSecondPointOn)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("comma.txt");
+  writeText(path, "0 0 0\n0,25 1,5 -2\n");
+  EXPECT_EQ(FileCoordinates(readCloud(path))[1], Eigen::Vector3d(0.25, 1.5, -2.0));
 }
 
 TEST(TextCloud, TakesWhatIsNoNumberAsNoPoint)

@@ -180,7 +180,7 @@ TEST_P(MeshFiles, NeverCrashTheReader)
   const TemporaryFolder folder;
   const std::string path = folder.file(GetParam().file);
   RandomGenerator generator(3);
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < 300; ++round) {
     std::string damaged = GetParam().content;
     for (std::uint64_t change = 0; change <= drawBelow(generator, 3); ++change)
       damaged[drawBelow(generator, damaged.size())] = static_cast<char>(
@@ -205,7 +205,7 @@ distanceFromGrid(const Eigen::Vector3d& p,
                  const TriangleMesh& mesh,
                  const std::array<std::uint32_t, 3>& triangle)
 {
-  constexpr int steps = 200;
+  constexpr int steps = 60;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; i + j <= steps; ++j) {
@@ -291,21 +291,30 @@ TEST(SurfaceSamples, LieOnTheSurface)
     double least = std::numeric_limits<double>::infinity();
     for (const auto& triangle : mesh.triangles)
       least = std::min(least, distanceFromGrid(p, mesh, triangle));
-    EXPECT_LT(least, 0.02) << p.transpose(); // a step of the grid is 0.015
+    EXPECT_LT(least, 0.05) << p.transpose(); // a step of the grid is 0.05 at most
   }
 }
 
-TEST(SurfaceSamples, AreTheSameWhereverTheMeshIs)
+TEST(SurfaceSamples, AreAsEvenFarFromTheOrigin)
 {
   TriangleMesh mesh = pyramid();
-  const std::vector<Eigen::Vector3d> at_zero = sampleSurface(mesh, 0.125);
-  const Eigen::Vector3d far(1048576.0, -2097152.0, 0.0); // exact in double
   for (Eigen::Vector3d& vertex : mesh.vertices)
-    vertex += far;
-  const std::vector<Eigen::Vector3d> moved = sampleSurface(mesh, 0.125);
-  ASSERT_EQ(moved.size(), at_zero.size());
-  for (std::size_t i = 0; i < moved.size(); ++i)
-    EXPECT_LT((moved[i] - far - at_zero[i]).norm(), 1e-8);
+    vertex += Eigen::Vector3d(691234.001, -5334321.002, 520.003);
+  const std::vector<Eigen::Vector3d> samples = sampleSurface(mesh, 0.2);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      ASSERT_GE((samples[i] - samples[j]).norm(), 0.2 * (1.0 - 1e-12));
+  RandomGenerator generator(5);
+  for (int k = 0; k < 1000; ++k)
+    ASSERT_LE(nearest(randomPointOn(mesh, generator), samples), 0.3);
+}
+
+TEST(SurfaceSamples, AreNotTakenWhereCoordinatesAreTooCoarse)
+{
+  TriangleMesh mesh = pyramid();
+  for (Eigen::Vector3d& vertex : mesh.vertices)
+    vertex += Eigen::Vector3d::Constant(1e16);
+  EXPECT_THROW(sampleSurface(mesh, 0.2), CIDException);
 }
 
 TEST(SurfaceSamples, AreAboutAsManyAsUsual)
@@ -318,6 +327,15 @@ TEST(SurfaceSamples, AreAboutAsManyAsUsual)
     EXPECT_GT(count, 150000u);
     EXPECT_LT(count, 250000u);
   }
+}
+
+TEST(SurfaceSamples, AreNotWithoutEndOnASliver)
+{
+  TriangleMesh sliver;
+  sliver.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}};
+  sliver.triangles = {{0, 1, 2}};
+  EXPECT_LT(sampleSurface(sliver, usualSpacing(sliver)).size(), 1000000u);
+  EXPECT_THROW(sampleSurface(sliver, 1e-12), CIDException);
 }
 
 TEST(SurfaceSamples, AreRefusedWhereThereIsNone)

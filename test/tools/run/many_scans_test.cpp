@@ -83,7 +83,7 @@ TEST_F(ManyScansTest, AreAbstractedAsEachAlone)
   EXPECT_EQ(linesOf(done.out), 3u) << done.out;
   EXPECT_NE(done.out.find("600 points, 7 groups, 3 parts]"), std::string::npos);
   expectSameFiles();
-  EXPECT_EQ(filesBelow("many").count("a_parts/part_000.obj"), 1u);
+  EXPECT_EQ(filesBelow("many").count("a_parts/a_part_000.obj"), 1u);
   EXPECT_EQ(filesBelow("many").count("c.mtl"), 1u);
 
   Arguments stl = options;
