@@ -119,7 +119,8 @@ readSurfaceAsCloud(const std::string& path,
     cloud.remarks.push_back(sentence("its surface, ",
                                      countOf(mesh.triangles.size(), "triangle"),
                                      ", is sampled with a spacing of ",
-                                     used));
+                                     used,
+                                     " of its units"));
   }
   catch (const CIDException& error) {
     throw CIDException(path + ": " + error.what());

@@ -29,7 +29,7 @@ const make = (tool, input, html, ...options) =>
 
 /** A picture that remembers what went wrong in it, and each request but the one for the file. */
 async function open(html) {
-  const context = await browser.newContext({ viewport: { width: 960, height: 600 }, reducedMotion: 'reduce' });
+  const context = await browser.newContext({ viewport: { width: 840, height: 540 }, reducedMotion: 'reduce' });
   const page = await context.newPage();
   const url = pathToFileURL(join(folder, html)).href;
   page.problems = [];
@@ -47,7 +47,7 @@ const idle = (page) => page.evaluate(() => window.picture.idle());
 
 /** The canvas alone. */
 async function look(page) {
-  await page.mouse.move(880, 20);
+  await page.mouse.move(780, 20);
   await idle(page);
   return page.locator('canvas.cloud').screenshot();
 }
@@ -158,14 +158,14 @@ describe('a picture', { skip: tools ? false : 'needs the tools' }, () => {
 
       test('turns where the mouse drags, and zooms by its wheel', async () => {
         const start = await look(page);
-        await page.mouse.move(320, 320);
+        await page.mouse.move(270, 300);
         await page.mouse.down();
-        await page.mouse.move(440, 300, { steps: 5 });
+        await page.mouse.move(390, 280, { steps: 3 });
         await page.mouse.up();
         const turned = await look(page);
         await shot(page, `picture_${tool}_turned`);
         assert.ok((await difference(browser, start, turned)) > 0.1);
-        await page.mouse.move(320, 320);
+        await page.mouse.move(270, 300);
         await page.mouse.wheel(0, -900);
         const near = await look(page);
         assert.ok((await difference(browser, turned, near)) > 0.1);
