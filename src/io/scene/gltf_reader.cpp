@@ -58,7 +58,8 @@ public:
   meshes() const
   {
     const Json& nodes = document_.at("nodes");
-    require(document_.at("scenes").at(0).at("nodes") == Json::array({0}), "wrong scene");
+    require(document_.at("scenes").at(0).at("nodes") == Json::array({0}),
+            "wrong scene");
     require(nodes.at(0).at("matrix") == Json(gltf::z_up_to_y_up), "z is not up");
     NamedMeshes meshes;
     for (const Json& child : nodes.at(0).value("children", Json::array()))
