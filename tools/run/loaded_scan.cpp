@@ -15,9 +15,7 @@
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/scan_source.h>
 
-#include <algorithm>
 #include <ostream>
-#include <vector>
 
 namespace pcl_cid::tools {
 std::vector<std::string>
@@ -28,34 +26,14 @@ inputFiles(const Settings& settings)
 
 namespace {
 
-/** How long most of a scan is along each axis: what a few points astray do not change.
- */
-Eigen::Vector3d
-extentOfBulk(const pcl::PointCloud<pcl::PointXYZ>& points)
-{
-  constexpr std::size_t enough_points = 10000;
-  const std::size_t stride = points.size() / enough_points + 1;
-  Eigen::Vector3d extent = Eigen::Vector3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<float> values;
-    for (std::size_t i = 0; i < points.size(); i += stride)
-      if (points[i].getVector3fMap().allFinite())
-        values.push_back(points[i].getVector3fMap()[axis]);
-    std::sort(values.begin(), values.end());
-    const std::size_t astray = values.size() / 20;
-    if (!values.empty())
-      extent[axis] = values[values.size() - 1 - astray] - values[astray];
-  }
-  return extent;
-}
-
 /** Say so when the scan is larger than buildings are: its unit may not be the metre. */
 void
 remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
 {
   constexpr double longest_building = 500.0;
-  const Eigen::Vector3d extent = extentOfBulk(*scan.points.points);
-  if (settings.scale == setting::scale.initial && extent.maxCoeff() > longest_building)
+  const Eigen::Vector3d& extent = scan.points.extent;
+  if (settings.scale == setting::scale.initial && extent.allFinite() &&
+      extent.maxCoeff() > longest_building)
     run.remark()(settings.input + ": most of it measures " + shortNumber(extent.x()) +
                  " x " + shortNumber(extent.y()) + " x " + shortNumber(extent.z()) +
                  " metres; if it is in millimetres, give --scale 0.001");

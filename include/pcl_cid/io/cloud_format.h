@@ -53,8 +53,9 @@ struct CloudFormat {
   std::string name;
   /** How names of its files end: in small letters, with the dot. */
   std::vector<std::string> extensions;
-  /** Whether files with these extensions are scans: else such a file is only read when
-   *  it is named, and none that a folder of scans holds. */
+  /** Whether every file with these extensions is a scan. Others, such as tables, are
+   *  read where they are named, and passed over where scans are looked for in a
+   *  folder. */
   bool is_of_scans_only = true;
   /** The encodings that it can be written in. A cloud from a file of another format is
    *  written in the last of them, or in ascii where it was ascii and that is one of

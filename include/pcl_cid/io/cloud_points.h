@@ -37,6 +37,9 @@ struct CloudPoints {
   Frame frame;
   /** Points whose coordinates are all finite. */
   std::size_t finite = 0;
+  /** How long the cloud is along each axis without a twentieth of its points at either
+   *  end, from a sample; infinite where no point of that is finite. */
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero();
 };
 
 /** \brief The coordinates of a cloud as they stand in its file, times its scale:

@@ -26,15 +26,11 @@ struct ForeignFormat {
   const char* more = "";  ///< what follows the file
 };
 
+constexpr const char* cloud_compare = "CloudCompare -SILENT -C_EXPORT_FMT PLY -O";
+
 constexpr ForeignFormat foreign_formats[] = {
-    {"a LAS or LAZ",
-     "LASF"sv,
-     "CloudCompare -SILENT -C_EXPORT_FMT PLY -O",
-     " -SAVE_CLOUDS"},
-    {"an E57",
-     "ASTM-E57"sv,
-     "CloudCompare -SILENT -C_EXPORT_FMT PLY -O",
-     " -SAVE_CLOUDS"},
+    {"a LAS or LAZ", "LASF"sv, cloud_compare, " -SAVE_CLOUDS"},
+    {"an E57", "ASTM-E57"sv, cloud_compare, " -SAVE_CLOUDS"},
     {"an NPZ or another ZIP", "PK\x03\x04"sv, "unzip"}};
 
 } // namespace

@@ -11,6 +11,7 @@
 #include "base/sentence.h"
 #include "column_formats.h"
 #include "fields/field_values.h"
+#include "point_columns.h"
 #include "text/numbers.h"
 #include "text/path_names.h"
 
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstdint>
 #include <istream>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,41 +52,35 @@ nuScenes()
   return layout;
 }
 
-std::vector<float>
-floatsOf(std::istream& stream, std::uint64_t size, const std::string& name)
+float
+floatAt(const std::vector<std::uint8_t>& data, std::size_t number)
 {
-  std::vector<float> values(size / sizeof(float));
-  if (!stream.read(reinterpret_cast<char*>(values.data()),
-                   static_cast<std::streamsize>(values.size() * sizeof(float))))
-    throw CIDException(name + ": cannot be read to its end");
-  return values;
+  return loadValue<float>(data.data() + number * sizeof(float));
 }
 
 /** Rings count from 0: no other value of a scan is a small whole number everywhere. */
 bool
-haveRings(const std::vector<float>& values)
+haveRings(const std::vector<std::uint8_t>& data)
 {
   constexpr float most_rings = 256.0f;
   const std::size_t step = nuScenes().names.size();
-  for (std::size_t i = step - 1; i < values.size(); i += step)
-    if (!(values[i] >= 0.0f && values[i] < most_rings) ||
-        std::floor(values[i]) != values[i])
+  for (std::size_t i = step - 1; i < data.size() / sizeof(float); i += step)
+    if (const float ring = floatAt(data, i);
+        !(ring >= 0.0f && ring < most_rings) || std::floor(ring) != ring)
       return false;
   return true;
 }
 
 const LidarLayout&
-lidarLayoutOf(std::uint64_t size,
-              const std::vector<float>& values,
-              const std::string& name)
+lidarLayoutOf(const std::vector<std::uint8_t>& data, const std::string& name)
 {
-  if (size % nuScenes().bytes() == 0 && haveRings(values))
+  if (data.size() % nuScenes().bytes() == 0 && haveRings(data))
     return nuScenes();
-  if (size % kitti().bytes() == 0)
+  if (data.size() % kitti().bytes() == 0)
     return kitti();
   throw CIDException(sentence(name,
                               ": has ",
-                              countOf(size, "byte"),
+                              countOf(data.size(), "byte"),
                               ", which is neither a scan of KITTI (",
                               kitti().bytes(),
                               " bytes a point) nor one of nuScenes (",
@@ -97,21 +91,26 @@ lidarLayoutOf(std::uint64_t size,
 void
 readLidar(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 {
-  const std::vector<float> values = floatsOf(stream, size, cloud.name);
-  const LidarLayout& layout = lidarLayoutOf(size, values, cloud.name);
+  std::vector<std::uint8_t>& data = cloud.fields.data;
+  data.resize(size);
+  if (!stream.read(reinterpret_cast<char*>(data.data()),
+                   static_cast<std::streamsize>(size)))
+    throw CIDException(cloud.name + ": cannot be read to its end");
+  const LidarLayout& layout = lidarLayoutOf(data, cloud.name);
   const std::uint64_t points = size / layout.bytes();
-  constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
-  if (points > most)
-    throw CIDException(sentence(
-        cloud.name, ": holds ", points, " points; at most ", most, " are possible"));
+  if (points > most_points)
+    throw CIDException(sentence(cloud.name,
+                                ": holds ",
+                                points,
+                                " points; at most ",
+                                most_points,
+                                " are possible"));
   cloud.layout = {"KITTI", CloudEncoding::binary};
   for (const std::string& name : layout.names)
     addField(name, pcl::PCLPointField::FLOAT32, 1, cloud.fields);
   cloud.fields.width = static_cast<std::uint32_t>(points);
   cloud.fields.height = 1;
   cloud.fields.row_step = cloud.fields.point_step * cloud.fields.width;
-  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(values.data());
-  cloud.fields.data.assign(bytes, bytes + size);
   cloud.remarks.push_back(sentence(
       "is read as a scan of ", layout.dataset, ": ", listed(layout.names, "and")));
 }

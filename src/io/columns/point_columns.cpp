@@ -10,6 +10,7 @@
 #include "point_columns.h"
 
 #include "base/sentence.h"
+#include "fields/bulk.h"
 #include "fields/field_values.h"
 #include "text/numbers.h"
 #include "text/path_names.h"
@@ -69,7 +70,7 @@ isWhole(const Values& values, double least, double most)
 enum class Triple { normals, colors, none };
 
 Triple
-kindOf(const PointColumns& columns, std::size_t first)
+tripleAt(const PointColumns& columns, std::size_t first)
 {
   if (columns.values.size() < first + 3)
     return Triple::none;
@@ -102,7 +103,7 @@ usualNames(const PointColumns& columns)
   const std::size_t count = columns.values.size();
   if (columns.are_of_pts && count > 3)
     add({"intensity"});
-  const Triple triple = kindOf(columns, names.size());
+  const Triple triple = tripleAt(columns, names.size());
   if (triple == Triple::colors)
     add({"red", "green", "blue"});
   if (count == names.size() + 3)
@@ -115,20 +116,6 @@ usualNames(const PointColumns& columns)
   return names;
 }
 
-/** How far most values are apart: a few astray do not count. */
-double
-extentOfBulk(const Values& values)
-{
-  constexpr std::size_t enough = 10000;
-  Values drawn;
-  for (std::size_t i = 0; i < values.size(); i += values.size() / enough + 1)
-    if (std::isfinite(values[i]))
-      drawn.push_back(values[i]);
-  std::sort(drawn.begin(), drawn.end());
-  const std::size_t astray = drawn.size() / 20;
-  return drawn.empty() ? 0.0 : drawn[drawn.size() - 1 - astray] - drawn[astray];
-}
-
 /** Whether the largest error of float is small beside the extent of the values. */
 bool
 fitsFloat(const Values& values)
@@ -139,7 +126,8 @@ fitsFloat(const Values& values)
       error = std::max(
           error, std::abs(value - static_cast<double>(static_cast<float>(value))));
   constexpr double small_share = 1e-6;
-  return error == 0.0 || error <= small_share * extentOfBulk(values);
+  const Bulk bulk = bulkOf(values.size(), [&](std::size_t i) { return values[i]; });
+  return error == 0.0 || error <= small_share * bulk.extent;
 }
 
 std::uint8_t

@@ -8,6 +8,7 @@
  */
 
 #include "base/sentence.h"
+#include "bulk.h"
 #include "field_values.h"
 #include "required_fields.h"
 
@@ -77,6 +78,8 @@ public:
         result.frame.origin = middleOf(bulk);
     }
     moveInto(result);
+    for (int axis = 0; axis < 3; ++axis)
+      result.extent[axis] = bulkOfAxis(axis).extent;
     return result;
   }
 
@@ -165,7 +168,10 @@ private:
   {
     constexpr double far = 100.0; // times the size of the bulk
     Eigen::AlignedBox3d box;
-    const auto [middle, size] = bulk();
+    const Bulk bulk[] = {bulkOfAxis(0), bulkOfAxis(1), bulkOfAxis(2)};
+    const Eigen::Vector3d middle(bulk[0].middle, bulk[1].middle, bulk[2].middle);
+    const double extent = std::max({bulk[0].extent, bulk[1].extent, bulk[2].extent});
+    const double size = extent > 0.0 ? extent : 1.0;
     for (std::size_t i = 0; i < cloud_.size(); ++i)
       if (const Eigen::Vector3d p = point(i);
           p.allFinite() && (p - middle).cwiseAbs().maxCoeff() <= far * size)
@@ -173,27 +179,13 @@ private:
     return box;
   }
 
-  /** The median, and how far apart 90 percent of a sample of the points are. */
-  std::pair<Eigen::Vector3d, double>
-  bulk() const
+  Bulk
+  bulkOfAxis(int axis) const
   {
-    constexpr std::size_t sample_size = 10000;
-    const std::size_t stride = 1 + cloud_.size() / sample_size;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    double size = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::vector<double> values;
-      for (std::size_t i = 0; i < cloud_.size(); i += stride)
-        if (const Eigen::Vector3d p = point(i); p.allFinite())
-          values.push_back(p[axis]);
-      if (values.empty())
-        return {middle, std::numeric_limits<double>::max()};
-      std::sort(values.begin(), values.end());
-      const std::size_t last = values.size() - 1;
-      middle[axis] = values[last / 2];
-      size = std::max(size, values[last - last / 20] - values[last / 20]);
-    }
-    return {middle, size > 0.0 ? size : 1.0};
+    return bulkOf(cloud_.size(), [&](std::size_t i) {
+      const Eigen::Vector3d p = point(i);
+      return p.allFinite() ? p[axis] : std::numeric_limits<double>::quiet_NaN();
+    });
   }
 
   /** How far apart two neighboring coordinates of some size are. */

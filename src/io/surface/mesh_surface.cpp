@@ -13,6 +13,7 @@
 #include "text/format_table.h"
 #include "text/numbers.h"
 #include "text/opened_file.h"
+#include "text/words.h"
 
 #include <pcl_cid/io/mesh_surface.h>
 
@@ -46,6 +47,19 @@ requireFinite(const TriangleMesh& mesh, const std::string& path)
 }
 
 } // namespace
+
+std::optional<Eigen::Vector3d>
+takeCoordinates(std::string_view& line)
+{
+  Eigen::Vector3d point;
+  for (double& coordinate : point) {
+    const auto number = parseLoosely<double>(takeWord(line));
+    if (!number)
+      return std::nullopt;
+    coordinate = *number;
+  }
+  return point;
+}
 
 void
 addFace(const std::vector<std::uint64_t>& corners, TriangleMesh& mesh)

@@ -55,15 +55,10 @@ private:
   void
   addVertex(std::string_view rest)
   {
-    Eigen::Vector3d vertex;
-    for (double& coordinate : vertex) {
-      const std::string_view word = takeWord(rest);
-      const auto number = parseLoosely<double>(word);
-      if (!number)
-        fail("'", word.substr(0, 32), "' is no coordinate");
-      coordinate = *number;
-    }
-    mesh_.vertices.push_back(vertex);
+    const auto vertex = takeCoordinates(rest);
+    if (!vertex)
+      fail("has no three coordinates");
+    mesh_.vertices.push_back(*vertex);
   }
 
   /** Corners are "vertex/texture/normal", or less of it. */

@@ -106,15 +106,10 @@ private:
   addVertex()
   {
     nextLine();
-    Eigen::Vector3d vertex;
-    for (double& coordinate : vertex) {
-      const std::string_view word = takeWord(rest_);
-      const auto number = parseLoosely<double>(word);
-      if (!number)
-        fail("'", word.substr(0, 32), "' is no coordinate");
-      coordinate = *number;
-    }
-    mesh_.vertices.push_back(vertex);
+    const auto vertex = takeCoordinates(rest_);
+    if (!vertex)
+      fail("has no three coordinates");
+    mesh_.vertices.push_back(*vertex);
   }
 
   /** The number of corners, the corners, and perhaps a color. */

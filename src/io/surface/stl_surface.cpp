@@ -110,13 +110,10 @@ asciiMesh(std::istream& stream, const std::string& name)
     else if (word == "vertex") {
       if (corner == corners.size())
         fail("is the fourth corner of a triangle");
-      for (double& coordinate : corners[corner]) {
-        const auto number = parseLoosely<double>(takeWord(rest));
-        if (!number)
-          fail("must have three coordinates");
-        else
-          coordinate = *number;
-      }
+      const auto position = takeCoordinates(rest);
+      if (!position)
+        fail("must have three coordinates");
+      corners[corner] = *position;
       ++corner;
     }
     else if (word == "endloop") {

@@ -15,7 +15,9 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pcl_cid {
@@ -47,6 +49,11 @@ plySurface();
 
 SurfaceFormat
 stlSurface();
+
+/** \brief Cut three coordinates off a line of text.
+ *  \return none when there are no three numbers */
+std::optional<Eigen::Vector3d>
+takeCoordinates(std::string_view& line);
 
 /** \brief Add a face as triangles about its first corner.
  *  \param[in] corners indices of vertices, checked by the caller */

@@ -167,11 +167,14 @@ TEST_P(MeshFiles, AreRefusedWhereverTheyAreCut)
   const std::string whole = GetParam().content;
   const bool has_count =
       whole.find("v 0 0 0") != 0 && whole[0] != '#'; // an OBJ has none
-  const std::size_t end = std::min(whole.size() - 6, whole.rfind("endsolid"));
+  // Nothing tells how many faces an OBJ has: one is enough.
+  const std::size_t end = has_count
+                              ? std::min(whole.size() - 6, whole.rfind("endsolid"))
+                              : whole.find("\nf ");
   for (std::size_t size = 0; size < end; ++size) {
     writeText(path, whole.substr(0, size));
     const std::string complaint = complaintAbout(path, [&] { readSurface(path); });
-    EXPECT_TRUE(complaint != "none" || !has_count) << "cut to " << size << " bytes";
+    EXPECT_NE(complaint, "none") << "cut to " << size << " bytes";
   }
 }
 

@@ -1,0 +1,45 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Where most of many values are.
+ */
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace pcl_cid {
+
+/** \brief Where most values are: single ones astray have no say in it. */
+struct Bulk {
+  double middle = 0.0; ///< the median
+  double extent = 0.0; ///< how far apart the middle 90 percent are
+};
+
+/** \brief The bulk of values, from a sample of about 10,000 of them.
+ *  \param[in] value called as value(i); what is not finite does not count */
+template <typename Value>
+Bulk
+bulkOf(std::size_t count, const Value& value)
+{
+  constexpr std::size_t sample_size = 10000;
+  const std::size_t stride = 1 + count / sample_size;
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < count; i += stride)
+    if (const double each = value(i); std::isfinite(each))
+      sample.push_back(each);
+  if (sample.empty()) // nothing is known to be astray
+    return {0.0, std::numeric_limits<double>::infinity()};
+  std::sort(sample.begin(), sample.end());
+  const std::size_t last = sample.size() - 1;
+  return {sample[last / 2], sample[last - last / 20] - sample[last / 20]};
+}
+
+} // namespace pcl_cid
