@@ -44,7 +44,8 @@ surfaceNames();
 PCL_CID_IO_EXPORT std::vector<std::string>
 surfaceExtensions();
 
-/** \brief The spacing with which a mesh gets about 200,000 points.
+/** \brief The spacing with which a mesh gets about 200,000 points: as few as half of
+ *  that where all edges are alike and fit the spacing badly.
  *  \throws CIDException when its surface has no area */
 PCL_CID_IO_EXPORT double
 usualSpacing(const TriangleMesh& mesh);

@@ -38,13 +38,17 @@ triangleOf(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& corners
 }
 
 double
+areaOf(const Triangle& t)
+{
+  return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+}
+
+double
 areaOf(const TriangleMesh& mesh)
 {
   double area = 0.0;
-  for (const auto& corners : mesh.triangles) {
-    const Triangle t = triangleOf(mesh, corners);
-    area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
-  }
+  for (const auto& corners : mesh.triangles)
+    area += areaOf(triangleOf(mesh, corners));
   if (!(area > 0.0) || !std::isfinite(area))
     throw CIDException(
         sentence("the surface has an area of ", area, "; it must be above 0"));
@@ -57,14 +61,18 @@ longestEdge(const Triangle& t)
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
 }
 
-/** The sum of the longest edges that are at least as long as this. */
+/** The length of all needles: triangles much longer and thinner than the spacing, which
+ *  get a row of points although they have hardly any area. */
 double
-lengthOf(const TriangleMesh& mesh, double least)
+lengthOfNeedles(const TriangleMesh& mesh, double spacing)
 {
   double length = 0.0;
-  for (const auto& corners : mesh.triangles)
-    if (const double edge = longestEdge(triangleOf(mesh, corners)); edge >= least)
+  for (const auto& corners : mesh.triangles) {
+    const Triangle t = triangleOf(mesh, corners);
+    const double edge = longestEdge(t);
+    if (edge > 4.0 * spacing && areaOf(t) < 0.125 * spacing * edge)
       length += edge;
+  }
   return length;
 }
 
@@ -199,8 +207,7 @@ usualSpacing(const TriangleMesh& mesh)
 {
   constexpr double usual_points = 200000.0;
   const double spacing = std::sqrt(usual_density * areaOf(mesh) / usual_points);
-  // Slivers have many points and hardly any area.
-  return std::max(spacing, lengthOf(mesh, spacing) / (2.0 * usual_points));
+  return std::max(spacing, lengthOfNeedles(mesh, spacing) / usual_points);
 }
 
 std::vector<Eigen::Vector3d>
@@ -208,7 +215,7 @@ sampleSurface(const TriangleMesh& mesh, double spacing)
 {
   require(setting::mesh_spacing.withoutZero(), spacing);
   const double expected = usual_density * areaOf(mesh) / (spacing * spacing) +
-                          lengthOf(mesh, spacing) / spacing;
+                          lengthOfNeedles(mesh, spacing) / spacing;
   if (!(expected < static_cast<double>(most_points)))
     throw CIDException(sentence("with a spacing of ",
                                 spacing,

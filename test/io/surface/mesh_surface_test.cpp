@@ -332,6 +332,27 @@ TEST(SurfaceSamples, AreAboutAsManyAsUsual)
   }
 }
 
+TEST(SurfaceSamples, AreAboutAsManyHoweverFineTheMeshIs)
+{
+  for (const std::uint32_t steps : {50u, 150u, 316u, 600u}) {
+    TriangleMesh plane;
+    for (std::uint32_t i = 0; i <= steps; ++i)
+      for (std::uint32_t j = 0; j <= steps; ++j)
+        plane.vertices.emplace_back(
+            static_cast<double>(i) / steps, static_cast<double>(j) / steps, 0.0);
+    for (std::uint32_t i = 0; i < steps; ++i)
+      for (std::uint32_t j = 0; j < steps; ++j) {
+        const std::uint32_t corner = i * (steps + 1) + j;
+        const std::uint32_t across = corner + steps + 2;
+        plane.triangles.push_back({corner, corner + 1, across});
+        plane.triangles.push_back({corner, across, across - 1});
+      }
+    const std::size_t count = sampleSurface(plane, usualSpacing(plane)).size();
+    EXPECT_GT(count, 100000u) << steps;
+    EXPECT_LT(count, 300000u) << steps;
+  }
+}
+
 TEST(SurfaceSamples, AreNotWithoutEndOnASliver)
 {
   TriangleMesh sliver;
