@@ -20,15 +20,25 @@
 #include <filesystem>
 #include <fstream>
 #include <unordered_map>
+#include <utility>
 
 namespace pcl_cid::tools {
 namespace {
 
-/** Hulls from a file, and whether it has rounded their coordinates to float. */
-struct StoredHulls {
-  std::vector<TriangleMesh> hulls;
-  bool is_float;
+/** A hull from a file, metres. */
+struct StoredHull {
+  TriangleMesh mesh;
+  double rounding; ///< what the file has taken from its coordinates
 };
+
+StoredHull
+inMetres(TriangleMesh mesh, bool is_float, double metres_per_unit)
+{
+  const double rounding = is_float ? metres_per_unit * floatRounding(mesh) : 0.0;
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v *= metres_per_unit;
+  return {std::move(mesh), rounding};
+}
 
 /** Some consecutive triangles of a mesh, as a mesh of its own. */
 TriangleMesh
@@ -68,21 +78,25 @@ splitIntoParts(const TriangleMesh& mesh, const std::vector<ConvexPart>& parts)
 }
 
 /** One hull for each part, from an output that is not committed yet. */
-StoredHulls
+std::vector<StoredHull>
 readHulls(const std::string& path,
           const std::vector<ConvexPart>& parts,
+          double metres_per_unit,
           OutputFiles& outputs)
 {
   const MeshFormat& format = meshFormatOf(path);
   if (!format.read)
     throw CIDException("nothing reads " + format.name + " again");
-  StoredHulls stored{format.read(outputs.pathBeforeCommit(path)), format.is_float};
+  std::vector<TriangleMesh> meshes = format.read(outputs.pathBeforeCommit(path));
   if (!format.has_parts)
-    stored.hulls = splitIntoParts(stored.hulls.front(), parts);
-  if (stored.hulls.size() != parts.size())
-    throw CIDException("it has " + std::to_string(stored.hulls.size()) +
+    meshes = splitIntoParts(meshes.front(), parts);
+  if (meshes.size() != parts.size())
+    throw CIDException("it has " + std::to_string(meshes.size()) +
                        " hulls; it must have " + std::to_string(parts.size()));
-  return stored;
+  std::vector<StoredHull> hulls;
+  for (TriangleMesh& mesh : meshes)
+    hulls.push_back(inMetres(std::move(mesh), format.is_float, metres_per_unit));
+  return hulls;
 }
 
 /** The points of a part, as they stand in the file, in the frame of a mesh. */
@@ -109,22 +123,21 @@ inFrameOf(const Frame& points, TriangleMesh mesh, const Frame& mesh_frame)
 
 void
 verifyHull(std::size_t number,
-           const TriangleMesh& hull,
-           bool is_float,
+           const StoredHull& hull,
            const Frame& mesh_frame,
            const Verification& verification)
 {
   const ConvexPart& part = verification.abstracted.parts[number];
   const double rounding =
       roundingOf(part.indices, verification.points, verification.coordinates);
-  const auto broken = findBrokenGuarantee(
-      hull,
-      pointsOf(part, verification.coordinates, mesh_frame),
-      verification.abstracted.optionsOf(number),
-      (is_float ? floatRounding(hull) : 0.0) + std::min(rounding, unnoticed_rounding));
+  const auto broken =
+      findBrokenGuarantee(hull.mesh,
+                          pointsOf(part, verification.coordinates, mesh_frame),
+                          verification.abstracted.optionsOf(number),
+                          hull.rounding + std::min(rounding, unnoticed_rounding));
   const auto too_far = verification.error && !broken
-                           ? verification.error->findTooFar(
-                                 inFrameOf(verification.points.frame, hull, mesh_frame))
+                           ? verification.error->findTooFar(inFrameOf(
+                                 verification.points.frame, hull.mesh, mesh_frame))
                            : std::nullopt;
   if (broken || too_far)
     throw CIDException("the hull of " + partName(number) +
@@ -152,9 +165,12 @@ verifyMesh(const std::string& path,
            OutputFiles& outputs)
 {
   check(path, [&] {
-    const StoredHulls stored = readHulls(path, verification.abstracted.parts, outputs);
-    for (std::size_t k = 0; k < stored.hulls.size(); ++k)
-      verifyHull(k, stored.hulls[k], stored.is_float, Frame(), verification);
+    const std::vector<StoredHull> hulls = readHulls(path,
+                                                    verification.abstracted.parts,
+                                                    verification.points.metres_per_unit,
+                                                    outputs);
+    for (std::size_t k = 0; k < hulls.size(); ++k)
+      verifyHull(k, hulls[k], Frame(), verification);
   });
 }
 
@@ -169,10 +185,9 @@ verifyParts(const std::string& folder,
       continue;
     const std::string path = std::filesystem::path(folder) / partFileName(k, scene);
     check(path, [&] {
-      const StoredHulls stored =
-          readHulls(path, {verification.abstracted.parts[k]}, outputs);
-      verifyHull(
-          k, stored.hulls.front(), stored.is_float, Frame{scene.origin}, verification);
+      const std::vector<StoredHull> hulls =
+          readHulls(path, {verification.abstracted.parts[k]}, 1.0, outputs);
+      verifyHull(k, hulls.front(), Frame{scene.origin}, verification);
     });
   }
 }
@@ -197,8 +212,10 @@ verifyMeshesOf(const SceneFile& file,
       if (found == meshes.end())
         throw CIDException("the mesh of " + partName(k) + " is missing");
       const PlacedMesh& placed = found->second;
-      verifyHull(
-          k, placed.mesh, file.format.is_float, Frame{placed.origin}, verification);
+      verifyHull(k,
+                 inMetres(placed.mesh, file.format.is_float, 1.0),
+                 Frame{placed.origin},
+                 verification);
     }
     if (meshes.size() != expected)
       throw CIDException("it has " + std::to_string(meshes.size()) +

@@ -45,14 +45,17 @@ failForFloat(const std::string& path, const MeshFormat& format, const std::strin
                      ", or --parts-dir with --parts-format stl beside them");
 }
 
-/** STL holds float and has no pose: far from the origin, thin hulls fall flat in it. */
+/** STL holds float and has no pose: far from the origin, thin hulls fall flat in it.
+ *  \param[in] parts with hulls in the unit of the file */
 void
 requireThickInFloat(const std::string& path,
                     const MeshFormat& format,
+                    double metres_per_unit,
                     const std::vector<ConvexPart>& parts)
 {
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (floatRounding(parts[i].hull) > share_for_rounding * parts[i].thickness)
+    if (metres_per_unit * floatRounding(parts[i].hull) >
+        share_for_rounding * parts[i].thickness)
       failForFloat(path, format, "the hull of " + partName(i));
 }
 
@@ -81,20 +84,26 @@ requireRoomForFloat(const std::string& path,
   const MeshFormat& format = meshFormatOf(path);
   const bool is_finer =
       FileCoordinates(scan.cloud).datatype() != pcl::PCLPointField::FLOAT32;
+  const double unit = scan.points.metres_per_unit;
   if (format.is_float && is_finer &&
-      floatRounding(typicalSize(scan)) > share_for_rounding * min_thickness)
+      unit * floatRounding(typicalSize(scan) / unit) >
+          share_for_rounding * min_thickness)
     failForFloat(path, format, "a hull " + shortNumber(min_thickness) + " m thick");
 }
 
 void
 saveMesh(const std::string& path,
-         const std::vector<ConvexPart>& parts,
+         std::vector<ConvexPart> parts,
+         double metres_per_unit,
          const std::string& name,
          OutputFiles& outputs)
 {
   const MeshFormat& format = meshFormatOf(path);
+  for (ConvexPart& part : parts)
+    for (Eigen::Vector3d& v : part.hull.vertices)
+      v /= metres_per_unit;
   if (format.is_float)
-    requireThickInFloat(path, format, parts);
+    requireThickInFloat(path, format, metres_per_unit, parts);
   outputs.write(path,
                 [&](std::ostream& stream) { writeMesh(stream, parts, path, name); });
   if (const std::string materials = materialsBeside(path); !materials.empty())

@@ -29,12 +29,14 @@ requireRoomForFloat(const std::string& path,
 
 /** \brief Write a mesh, and the file of colors beside it where its format has one.
  *  \param[in] path was announced, with its file of colors (see materialsBeside())
- *  \param[in] parts in the frame of the file
+ *  \param[in] parts in the frame of the file, metres
+ *  \param[in] metres_per_unit of what is written
  *  \param[in] name before the names of the parts, see partName(); may be empty
  *  \throws CIDException when the format would round a hull out of its shape */
 void
 saveMesh(const std::string& path,
-         const std::vector<ConvexPart>& parts,
+         std::vector<ConvexPart> parts,
+         double metres_per_unit,
          const std::string& name,
          OutputFiles& outputs);
 

@@ -78,7 +78,7 @@ writeLabels(const AbstractSettings& settings,
     for (const pcl::index_t point : parts[i].indices)
       labels[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(i + 1);
   setLabels(labels, settings.label_type, cloud);
-  writeScan(settings.labels, cloud, outputs);
+  writeScan(settings.labels, cloud, settings.output_unit, outputs);
 }
 
 SceneDescription
@@ -88,7 +88,11 @@ save(const AbstractSettings& settings,
      Run& run)
 {
   run.begin("Saving " + settings.output);
-  saveMesh(settings.output, result.parts, settings.scenes.name, run.outputs);
+  saveMesh(settings.output,
+           result.parts,
+           scan.points.metres_per_unit,
+           settings.scenes.name,
+           run.outputs);
   if (!settings.labels.empty())
     writeLabels(settings, result.parts, scan.cloud, run.outputs);
   if (!settings.tree.empty())

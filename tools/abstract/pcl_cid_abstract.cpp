@@ -52,6 +52,8 @@ localViewpoints(const AbstractSettings& settings,
 {
   if (settings.viewpoints == "cloud")
     return {scan.points.points->sensor_origin_.head<3>().cast<double>()};
+  for (Eigen::Vector3d& place : read)
+    place *= scan.points.metres_per_unit;
   return scan.points.frame.toLocal(std::move(read));
 }
 

@@ -110,6 +110,8 @@ declareRunOptions(Settings& settings, CommandLine& line)
 {
   declareReadingOptions(settings, line);
   line.choice(label_type_setting, settings.label_type);
+  line.choice(output_unit_setting, settings.output_unit);
+  line.require("output-unit", {"scale"});
   declareLastOptions(settings, line);
 }
 
@@ -160,6 +162,7 @@ groupingParametersOf(const Settings& settings, const CIDParameters& parameters)
       parameter(setting::random_seed, parameters.getRandomSeed()),
       parameter(setting::start_index, settings.start_index),
       parameter(setting::scale, settings.scale),
+      {"output_unit", output_unit_setting.wordOf(settings.output_unit)},
       parameter(setting::mesh_spacing, settings.mesh_spacing),
       parameter(setting::threads, parameters.getNumberOfThreads())};
   for (Report::Parameter& each : parametersOf(settings.raw_scan))

@@ -38,6 +38,18 @@ inline constexpr ChoiceSetting<LabelType, 3> label_type_setting{
     {{{"U4", LabelType::U4}, {"I4", LabelType::I4}, {"F4", LabelType::F4}}},
     "type of the label field that is written: U4, I4 or F4"};
 
+/** \brief The unit of coordinates in what is written beside scenes. */
+enum class OutputUnit { file, metre };
+
+inline constexpr ChoiceSetting<OutputUnit, 2> output_unit_setting{
+    "Run",
+    "output_unit",
+    "UNIT",
+    OutputUnit::file,
+    {{{"file", OutputUnit::file}, {"metre", OutputUnit::metre}}},
+    "with --scale, the unit of clouds, hulls and tables of seeds: that of the file, or "
+    "the metre, which scenes for robot software and reports have anyhow"};
+
 /** \brief Settings that tools share; what is not asked for is empty. */
 struct Settings {
   std::string input;
@@ -54,6 +66,7 @@ struct Settings {
   LabelType label_type = label_type_setting.initial;
   std::string report;
   double scale = setting::scale.initial;
+  OutputUnit output_unit = output_unit_setting.initial;
   double mesh_spacing = setting::mesh_spacing.initial;
   std::string input_format; ///< an extension without its dot; empty: INPUT says it
   std::string html;         ///< a picture of what was made

@@ -57,6 +57,8 @@ loadScan(const Settings& settings, Run& run)
                 settings.mesh_spacing,
                 settings.input_format.empty() ? "" : "." + settings.input_format});
   scan.points = pointsOf(scan.cloud, {settings.keep_zeros, run.remark()});
+  if (settings.output_unit == OutputUnit::metre)
+    scan.points.metres_per_unit = 1.0;
   const std::string size = std::to_string(scan.cloud.size());
   if (scan.points.finite == 0)
     throw CIDException(settings.input + ": none of its " + size +
@@ -86,10 +88,20 @@ announceCloud(const std::string& path, OutputFiles& outputs)
 }
 
 void
-writeScan(const std::string& path, const LabelledCloud& cloud, OutputFiles& outputs)
+writeScan(const std::string& path,
+          const LabelledCloud& cloud,
+          OutputUnit unit,
+          OutputFiles& outputs)
 {
+  LabelledCloud in_metres;
+  if (unit == OutputUnit::metre) {
+    in_metres = cloud;
+    convertToMetres(in_metres);
+  }
   outputs.write(path, [&](std::ostream& stream) {
-    writeCloud(stream, cloud, layoutFor(path, cloud.layout));
+    writeCloud(stream,
+               unit == OutputUnit::metre ? in_metres : cloud,
+               layoutFor(path, cloud.layout));
   });
 }
 

@@ -19,6 +19,7 @@
 
 namespace pcl_cid::tools {
 
+enum class OutputUnit;
 struct Settings;
 
 /** \brief A scan as it was read. */
@@ -50,6 +51,9 @@ announceCloud(const std::string& path, OutputFiles& outputs);
 /** \brief Write a cloud in the format that the extension of a file says.
  *  \param[in] path was announced */
 void
-writeScan(const std::string& path, const LabelledCloud& cloud, OutputFiles& outputs);
+writeScan(const std::string& path,
+          const LabelledCloud& cloud,
+          OutputUnit unit,
+          OutputFiles& outputs);
 
 } // namespace pcl_cid::tools

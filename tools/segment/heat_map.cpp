@@ -127,7 +127,7 @@ writeHeatMap(const std::string& tool, const Settings& settings, int cid_from)
 
   run.begin("Saving " + settings.output);
   setFloats(cids, "cid", scan.cloud);
-  writeScan(settings.output, scan.cloud, run.outputs);
+  writeScan(settings.output, scan.cloud, settings.output_unit, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
   const std::string text = "CID from point " + std::to_string(cid_from);
   savePicture(settings.html, pictureOf(cids, text), scan, run);

@@ -131,7 +131,7 @@ save(const SegmentSettings& settings,
 {
   run.begin("Saving " + settings.output);
   setLabels(result.labels, settings.label_type, scan.cloud);
-  writeScan(settings.output, scan.cloud, run.outputs);
+  writeScan(settings.output, scan.cloud, settings.output_unit, run.outputs);
   if (!settings.propose.empty())
     run.outputs.write(settings.propose, [&](std::ostream& stream) {
       writeSeedTable(stream, run.report.seeds, scan.points);

@@ -58,7 +58,7 @@ writeSessionLabels(const std::string& tool, SegmentSettings settings)
 
   run.begin("Saving " + settings.output);
   setLabels(labels, settings.label_type, scan.cloud);
-  writeScan(settings.output, scan.cloud, run.outputs);
+  writeScan(settings.output, scan.cloud, settings.output_unit, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
   savePicture(
       settings.html, {Picture::Kind::labels, &labels, session.instances()}, scan, run);

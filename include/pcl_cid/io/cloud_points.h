@@ -37,6 +37,9 @@ struct CloudPoints {
   Frame frame;
   /** Points whose coordinates are all finite. */
   std::size_t finite = 0;
+  /** Metres that a unit of the coordinates stands for in files that go with the scan,
+   *  such as tables of seeds: LabelledCloud::scale. The points are in metres. */
+  double metres_per_unit = 1.0;
   /** How long the cloud is along each axis without a twentieth of its points at either
    *  end, from a sample; infinite where no point of that is finite. */
   Eigen::Vector3d extent = Eigen::Vector3d::Zero();
@@ -79,6 +82,12 @@ struct PointOptions {
  *  1e15, with the number of its point */
 PCL_CID_IO_EXPORT CloudPoints
 pointsOf(const LabelledCloud& cloud, const PointOptions& options = {});
+
+/** \brief Bring the coordinates of a cloud, and the place of its sensor, from the unit of
+ *  its file to metres; its scale is 1 then. Coordinates that are no float become double.
+ *  \throws CIDException when x, y or z is missing */
+PCL_CID_IO_EXPORT void
+convertToMetres(LabelledCloud& cloud);
 
 /** \brief The finite points of a cloud, as the classes of pcl_cid gather them. */
 PCL_CID_IO_EXPORT PointSet

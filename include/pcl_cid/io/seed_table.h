@@ -37,8 +37,8 @@ struct SeedTable {
 /** \brief Write a table for an annotator: columns `index,x,y,z,label`, a row for each
  *  seed in order.
  *  \param[in] seeds indices of finite points
- *  \param[in] points coordinates of the cloud; written in the frame of its file, with
- *  as many digits as they have
+ *  \param[in] points coordinates of the cloud; written in the frame and the unit of its
+ *  file (CloudPoints::metres_per_unit), with as many digits as they have
  *  \param[in] labels one for each seed; an empty one stands for "not asked", and none
  *  at all for as many of these */
 PCL_CID_IO_EXPORT void

@@ -31,7 +31,7 @@ namespace pcl_cid {
  *  readSeedTable() for what is fine.
  *  \param[in] path of the file, whose content says which of the two it is
  *  \return at least 1 position in the order of the file, each coordinate -1e15 to 1e15
- *  metres, in the coordinates of the scan's file
+ *  as it stands there: in the frame and the unit of the scan's file
  *  \throws CIDException with the file and the place in it when it cannot be read, is no
  *  valid JSON or one nested more than 64 levels deep, when a position does not have
  *  three values, or a coordinate is no number, not finite or beyond 1e15; and when

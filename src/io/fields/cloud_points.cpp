@@ -9,6 +9,7 @@
 
 #include "base/sentence.h"
 #include "bulk.h"
+#include "field_exchange.h"
 #include "field_values.h"
 #include "required_fields.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -70,6 +72,7 @@ public:
       dropNoReturns(sensor_, at_sensor_);
     }
     CloudPoints result;
+    result.metres_per_unit = cloud_.scale;
     const bool is_coarse = step(largest_) > largest_step;
     if (finite_ > 0 && (is_coarse || exceedsFloat(datatype_))) {
       const Eigen::AlignedBox3d bulk = boxOfBulk();
@@ -292,6 +295,31 @@ CloudPoints
 pointsOf(const LabelledCloud& cloud, const PointOptions& options)
 {
   return PointReading(cloud, options).read();
+}
+
+void
+convertToMetres(LabelledCloud& cloud)
+{
+  const LabelledCloud from = cloud;
+  const FileCoordinates metres(from);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "xyz"[axis]);
+    const bool is_float =
+        requireField(from, name).datatype == pcl::PCLPointField::FLOAT32;
+    const auto store = [&](std::size_t i, std::uint8_t* target) {
+      const double value = metres[i][axis];
+      const auto rounded = static_cast<float>(value);
+      is_float ? std::memcpy(target, &rounded, sizeof(rounded))
+               : std::memcpy(target, &value, sizeof(value));
+    };
+    exchangeField(name,
+                  is_float ? pcl::PCLPointField::FLOAT32 : pcl::PCLPointField::FLOAT64,
+                  store,
+                  cloud);
+  }
+  cloud.sensor_origin.head<3>() =
+      (from.scale * from.sensor_origin.head<3>().cast<double>()).cast<float>();
+  cloud.scale = 1.0;
 }
 
 PointSet

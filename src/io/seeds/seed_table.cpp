@@ -124,6 +124,14 @@ numbersOfNames(const std::vector<Row>& rows, const TextTable& text)
   return numbers;
 }
 
+/** Where a point is, in the frame and the unit of its file. */
+Eigen::Vector3d
+placeInFile(pcl::index_t index, const CloudPoints& points)
+{
+  const auto local = (*points.points)[static_cast<std::size_t>(index)].getVector3fMap();
+  return points.frame.toFile(local.cast<double>()) / points.metres_per_unit;
+}
+
 /** Checks rows against the cloud and gathers the seeds. */
 class SeedReading {
 public:
@@ -140,7 +148,8 @@ public:
       if (point.getVector3fMap().allFinite())
         box.extend(point.getVector3fMap());
     if (!box.isEmpty())
-      tolerance_ = coordinate_tolerance * static_cast<double>(box.diagonal().norm());
+      tolerance_ = coordinate_tolerance * static_cast<double>(box.diagonal().norm()) /
+                   points.metres_per_unit;
   }
 
   void
@@ -230,10 +239,7 @@ private:
   void
   requireSamePlace(const Row& row, pcl::index_t index) const
   {
-    const Eigen::Vector3d place =
-        points_.frame.toFile((*points_.points)[static_cast<std::size_t>(index)]
-                                 .getVector3fMap()
-                                 .cast<double>());
+    const Eigen::Vector3d place = placeInFile(index, points_);
     int axis = 0;
     for (const std::string* const text : {&row.x, &row.y, &row.z}) {
       if (!text->empty()) {
@@ -287,15 +293,13 @@ writeSeedTable(std::ostream& stream,
   for (std::size_t k = 0; k < seeds.size(); ++k) {
     const pcl::index_t seed = seeds[k];
     line = std::to_string(seed);
-    const auto point =
-        (*points.points)[static_cast<std::size_t>(seed)].getVector3fMap();
-    const Eigen::Vector3d in_file = points.frame.toFile(point.cast<double>());
+    const Eigen::Vector3d in_file = placeInFile(seed, points);
     for (int axis = 0; axis < 3; ++axis) {
       line += ',';
       if (is_double)
         appendNumber(in_file[axis], line);
       else
-        appendNumber(point[axis], line);
+        appendNumber(static_cast<float>(in_file[axis]), line);
     }
     line += ',';
     if (!labels.empty() && labels[k])

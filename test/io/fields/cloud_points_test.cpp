@@ -203,6 +203,32 @@ TEST(PointsOf, CountsFinitePoints)
   EXPECT_EQ(points.points->height, 30u);
 }
 
+TEST(ConvertToMetres, GivesTheSamePointsWhateverTheType)
+{
+  const LabelledCloud desk = deskScan();
+  LabelledCloud cloud = desk;
+  cloud.scale = 0.001;
+  const CloudPoints before = pointsOf(cloud);
+  EXPECT_EQ(before.metres_per_unit, 0.001);
+  convertToMetres(cloud);
+  const CloudPoints after = pointsOf(cloud);
+  EXPECT_EQ(after.metres_per_unit, 1.0);
+  EXPECT_EQ(bytesOf(toLabelledCloud(*after.points).fields, "z"),
+            bytesOf(toLabelledCloud(*before.points).fields, "z"));
+  EXPECT_TRUE(cloud.sensor_origin.isApprox(0.001f * desk.sensor_origin));
+  EXPECT_EQ(cloud.fields.point_step, desk.fields.point_step);
+
+  LabelledCloud whole;
+  appendField<std::uint16_t>("ring", {7, 8}, whole.fields);
+  for (const char* const axis : {"x", "y", "z"})
+    appendField<std::int32_t>(axis, {-1, 1234567891}, whole.fields);
+  whole.scale = 0.001;
+  convertToMetres(whole);
+  EXPECT_EQ(valuesOf<double>(whole.fields, "y"), (std::vector{-0.001, 1234567.891}));
+  EXPECT_EQ(valuesOf<std::uint16_t>(whole.fields, "ring"),
+            (std::vector<std::uint16_t>{7, 8}));
+}
+
 TEST(ToLabelledCloud, IsTheWayBack)
 {
   const CloudPoints points = pointsOf(deskScan());

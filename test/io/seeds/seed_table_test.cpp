@@ -70,6 +70,16 @@ TEST_F(SeedTableTest, IsWrittenWithEmptyLabels)
   EXPECT_EQ(text.str(), "index,x,y,z,label\n2,10,0,0,\n1,0.1,0.33333334,-1e-07,\n");
 }
 
+TEST_F(SeedTableTest, IsInTheUnitOfTheFile)
+{
+  points_.metres_per_unit = 0.001;
+  std::ostringstream text;
+  writeSeedTable(text, {2}, points_);
+  EXPECT_EQ(text.str(), "index,x,y,z,label\n2,10000,0,0,\n");
+  EXPECT_EQ(read("index,x,y,z,label\n2,10000,0,0,5\n").seeds, pcl::Indices{2});
+  EXPECT_NE(complaint("index,x,y,z,label\n2,10,0,0,5\n"), "none");
+}
+
 TEST_F(SeedTableTest, ComesBackWhenFilledIn)
 {
   std::ostringstream text;
