@@ -85,6 +85,7 @@ class Clicks:
     """A table for each folder of scans and way to click; mean IoU against clicks."""
 
     name = "clicks"
+    more_files = ("clicks.png",)
 
     def items(self, scan, options):
         return [item for _, item in self.named(scan, options)]
@@ -92,8 +93,7 @@ class Clicks:
     @staticmethod
     def named(scan, options):
         """(name of the setting, item) pairs."""
-        return [(name, Item(scan, "clicks", {"protocol": protocol, "start": start, **changed},
-                            annotate))
+        return [(name, Item(scan, "clicks", {"protocol": protocol, "start": start, **changed}))
                 for protocol in PROTOCOLS for name, changed in settings_of(scan).items()
                 if is_measured(name, protocol)
                 # By the rules of AGILE3D, nothing is drawn.

@@ -13,13 +13,12 @@ import numpy as np
 from clouds import labelled, positions, read_cloud
 from programs import perturbed
 from report import new_figure, save_picture, write_csv, write_markdown
-from view import View, drawing
-from work import Item
+from view import View
+from work import PICTURE, Item
 
 # Numbers of the classes table and wall in the field `semantic`; see doc/io/class_names.md.
 S3DIS_CLASSES = {"table": 8, "wall": 3}
 SCANNET_CLASSES = {"table": 7, "wall": 1}
-PICTURE = "heatmap.png"
 
 
 def middle_of(cloud, wanted):
@@ -87,8 +86,7 @@ def heat_map(item, programs, folder):
         rows.append({"from": name, "index": index,
                      **{f"separation by {kind}": separation(values[known], same)
                         for kind, values in maps[name, index].items()}})
-    with drawing:
-        draw(cloud, maps, folder / PICTURE)
+    draw(cloud, maps, folder / PICTURE)
     return {"rows": rows}
 
 
@@ -113,7 +111,7 @@ class HeatMap:
     name = "heatmap"
 
     def items(self, scan, options):
-        return [Item(scan, "heatmap", {"start": 0}, heat_map, PICTURE)]
+        return [Item(scan, "heatmap", {"start": 0})]
 
     def summarize(self, done, options, folder):
         rows = [{"scan": item.scan.name, **row} for item, result in done

@@ -16,10 +16,9 @@ from heatmap import largest_instance, middle_of
 from programs import perturbed, raw_scan_options
 from propagation import COLUMNS
 from report import new_figure, save_picture, write_csv, write_markdown
-from view import View, drawing
-from work import Item
+from view import View
+from work import PICTURE, Item
 
-PICTURE = "labels.png"
 COLORS = 20
 
 
@@ -36,8 +35,7 @@ def carry_labels(item, programs, folder):
                          "--subsample", column["subsample"], "--random-seed", settings["start"],
                          *raw_scan_options(column))
         labels[name] = read_cloud(file)["label"]
-    with drawing:
-        draw(truth, known, labels, folder / PICTURE)
+    draw(truth, known, labels, folder / PICTURE)
     return {name: float((labels[name] == labels["truth"])[known].mean())
             for name in COLUMNS}
 
@@ -63,7 +61,7 @@ class Labels:
     name = "labels"
 
     def items(self, scan, options):
-        return [Item(scan, "labels", {"seeds": options.seeds, "start": 0}, carry_labels, PICTURE)]
+        return [Item(scan, "labels", {"seeds": options.seeds, "start": 0})]
 
     def summarize(self, done, options, folder):
         rows = [{"scan": item.scan.name, **result} for item, result in done]

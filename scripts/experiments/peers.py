@@ -48,10 +48,11 @@ class Peers:
     """Purity at a peer's own number of parts, AP of methods with seeds, time, memory."""
 
     name = "peers"
+    more_files = ("peers_runs.csv", "peers.png")
 
     def items(self, scan, options):
         starts = range(options.starts)
-        curves = [Item(scan, "curve", {"tree": times * options.seeds, "start": start}, cid_curve)
+        curves = [Item(scan, "curve", {"tree": times * options.seeds, "start": start})
                   for times in TREES for start in starts]
         return [*curves, *(self.item(scan, method, options, start)
                            for method in options.methods
@@ -62,7 +63,7 @@ class Peers:
         settings = {"method": method}
         if method in SEEDED:
             settings |= {"seeds": options.seeds, "start": start}
-        return Item(scan, "peers", settings, run_method)
+        return Item(scan, "peers", settings)
 
     def summarize(self, done, options, folder):
         comparison = Comparison(done, options.seeds)

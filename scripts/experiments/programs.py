@@ -7,7 +7,6 @@
 
 import json
 import subprocess
-import threading
 
 import paper
 
@@ -25,35 +24,15 @@ class Programs:
     def __init__(self, folder, threads):
         self.folder = folder
         self.threads = threads
-        self.running = set()
-        self.stopped = False
-        self.lock = threading.Lock()
 
     def run(self, program, *arguments):
         """Run it to its end; gives what it printed, and what it remarked."""
         command = [str(self.folder / program), *map(str, arguments)]
-        with self.lock:
-            if self.stopped:
-                raise ProgramError("stopped")
-            process = subprocess.Popen(command, stdout=subprocess.PIPE,
-                                       stderr=subprocess.PIPE, text=True, errors="replace")
-            self.running.add(process)
-        try:
-            output, errors = process.communicate()
-        finally:
-            with self.lock:
-                self.running.discard(process)
-        if process.returncode != 0:
-            complaint = errors.strip() or f"ended with {process.returncode}"
+        done = subprocess.run(command, capture_output=True, text=True, errors="replace")
+        if done.returncode != 0:
+            complaint = done.stderr.strip() or f"{program}: ended with {done.returncode}"
             raise ProgramError(complaint.splitlines()[-1])
-        return output, errors
-
-    def stop(self):
-        """Stop the running programs, and start no more."""
-        with self.lock:
-            self.stopped = True
-            for process in self.running:
-                process.terminate()
+        return done.stdout, done.stderr
 
     def version(self):
         return self.run("pcl_cid_segment", "--version")[0].strip()

@@ -8,7 +8,7 @@
 from collections import defaultdict
 
 import paper
-from programs import DEFAULT, propagate
+from programs import DEFAULT
 from scores import THRESHOLDS, pooled
 from work import Item
 
@@ -20,7 +20,7 @@ COLUMNS = {f"{paper.SUBSAMPLE:,} points": {"subsample": paper.SUBSAMPLE},
 
 def propagation(scan, seeds, subsample, start, **disturbance):
     settings = {"seeds": seeds, "subsample": subsample, "start": start, **disturbance}
-    return Item(scan, "propagate", settings, propagate)
+    return Item(scan, "propagate", settings)
 
 
 def by_classes(done):

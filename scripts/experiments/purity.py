@@ -70,9 +70,10 @@ class Purity:
     """Box plot and curve."""
 
     name = "purity"
+    more_files = ("purity.png",)
 
     def items(self, scan, options):
-        return [Item(scan, "merge", {"seeds": options.seeds, "start": start, **column}, merge_curve)
+        return [Item(scan, "merge", {"seeds": options.seeds, "start": start, **column})
                 for column in COLUMNS.values() for start in range(options.starts)]
 
     def summarize(self, done, options, folder):

@@ -70,6 +70,7 @@ class Raw:
     """A table for each folder of scans, and whether the automatic decision is right."""
 
     name = "raw"
+    more_files = ("raw_checks.csv", "raw.png")
 
     def items(self, scan, options):
         return [item for runs in self.by_name(scan, options).values() for item in runs]

@@ -51,7 +51,7 @@ def write_markdown(path, sections):
 
 
 def new_figure(width, height):
-    """Without pyplot, whose state threads would share. Tables do not wait for matplotlib."""
+    """Without pyplot, which looks for a screen. Tables do not wait for matplotlib."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

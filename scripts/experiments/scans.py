@@ -29,16 +29,21 @@ class Scan:
         """What cid_peers has to know about its sensors: a file beside a generated scan."""
         return [option for file in truth_file(self.path) for option in ("--viewpoints", file)]
 
+    def existing(self):
+        """Its path, if it is still there: a link may have lost its file."""
+        return [path for path in [str(self.path)] if os.path.exists(path)]
+
     def fingerprint(self):
         """Bytes and time of the newest change: another one is another scan. Of the table
         of classes of ScanNet, too, which may be above the folder, and of the truth beside a
         generated scan."""
-        files = [self.path]
+        files = [Path(path) for path in self.existing()]
         if self.path.is_dir():
             files = [file for file in self.path.rglob("*") if file.is_file()]
         stats = [file.stat() for file in files]
         table = [] if not self.is_scannet else class_table(self.path)
-        return [sum(each.st_size for each in stats), max(each.st_mtime_ns for each in stats),
+        return [sum(each.st_size for each in stats),
+                max((each.st_mtime_ns for each in stats), default=0),
                 *([each.stat().st_size, each.stat().st_mtime_ns]
                   for each in (*table, *truth_file(self.path)))]
 

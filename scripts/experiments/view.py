@@ -5,8 +5,6 @@
 #
 # A look into a room from above, at a corner.
 
-import threading
-
 import numpy as np
 
 from clouds import finite, positions
@@ -14,8 +12,6 @@ from clouds import finite, positions
 SHOWN_POINTS = 30000
 # Shares of the extent in x, y and z.
 CUT_OFF = (0.05, 0.05, 0.15)
-# Matplotlib's fonts are shared by all figures.
-drawing = threading.Lock()
 
 
 def direction_to_viewer(azimuth):
