@@ -78,16 +78,18 @@ class Snakemake:
     """Snakemake on a Snakefile beside this file, in the working directory."""
 
     def __init__(self, snakefile, options, lock):
-        self.command = [sys.executable, "-B", "-m", "snakemake", "--nolock",
+        self.options = ["--nolock",
                         "--snakefile", str(Path(__file__).with_name(snakefile)),
                         "--directory", os.getcwd(), "--configfile", os.path.abspath(CONFIG),
                         *HABITS, *options]
         self.lock = lock
         self.stopped = False
 
-    def run(self, *more):
+    def run(self, targets=(), more=()):
         """To its end; gives its exit code."""
-        process = subprocess.Popen([*self.command, *more], pass_fds=[self.lock])
+        # Targets come first: after others, options that take several values would take them.
+        command = [sys.executable, "-B", "-m", "snakemake", *targets, *self.options, *more]
+        process = subprocess.Popen(command, pass_fds=[self.lock])
 
         def stop(number, frame):
             self.stopped = True
@@ -131,7 +133,7 @@ def tell_failures(plan, snakemake):
     some_done = [target for target in plan.targets
                  if missing[target] and len(missing[target]) < len(plan.scans)]
     if some_done:
-        snakemake.run("--config", "partial=True", "--", *some_done)
+        snakemake.run(some_done, ["--config", "partial=True"])
     failures = [f"{scan} ({target}): {each.reason()}"
                 for target in plan.targets for scan, each in missing[target].items()]
     if failures:

@@ -11,7 +11,7 @@ import sys
 from experiments_plan import EXPERIMENTS, ExperimentsPlan
 from launch import add_folders, at_least_one, launch, parser_for, read_options
 from peers import METHODS
-from plan import no_scan
+from plan import complaint
 from scans import scans_of
 
 
@@ -40,8 +40,9 @@ def read_command_line(arguments):
 
 def main(arguments):
     options, others = read_command_line(arguments)
-    if not scans_of(options.dataset, options.out):
-        sys.exit(no_scan(options.dataset))
+    wrong = complaint(options.dataset, scans_of(options.dataset, options.out))
+    if wrong:
+        sys.exit(wrong)
     config = {
         "dataset": os.path.abspath(options.dataset),
         "programs": os.path.abspath(options.programs),

@@ -31,15 +31,16 @@ class Wanted:
         for log in map(Path, self.logs):
             lines = log.read_text(errors="replace").strip().splitlines() if log.exists() else []
             if lines:
-                return lines[-1]
+                return lines[-1].strip()
         return f"ended without a word, which may be for want of memory; nothing in {self.logs[0]}"
 
 
 class Plan:
-    """Of a configuration, made in the folder of the workflow. What its kinds add: `wanted`."""
+    """Of a configuration, made in the folder of the workflow where no other is named. What its kinds add: `wanted`."""
 
-    def __init__(self, config):
+    def __init__(self, config, out=None):
         self.config = config
+        self.out = out or Path.cwd()
         self.targets = config["targets"]
         self.threads = config["threads"]
         # Whether to summarize without the scans that failed.
@@ -48,7 +49,7 @@ class Plan:
     @cached_property
     def scans(self):
         dataset = Path(self.config["dataset"])
-        return spread(scans_of(dataset, Path.cwd()), self.config["scans"])
+        return spread(scans_of(dataset, self.out), self.config["scans"])
 
     @cached_property
     def version(self):
@@ -76,6 +77,13 @@ class Plan:
         return [each.result for each in self.wanted(target) if each.scan not in left_out]
 
 
-def no_scan(dataset):
-    return (f"{dataset}: holds no scan; PCD or PLY files, or folders of scans of S3DIS or ScanNet "
-            "are needed")
+def complaint(dataset, scans):
+    """What is wrong with the scans of a dataset; None if nothing is."""
+    if not scans:
+        return (f"{dataset}: holds no scan; PCD or PLY files, or folders of scans of S3DIS or "
+                "ScanNet are needed")
+    for scan in scans:
+        # Snakemake's wildcards, and how it names a job of a cluster.
+        if set(scan.name) & set("{},=:"):
+            return f"{scan.path}: its name in the dataset must be without {{ }} , = and :"
+    return None
