@@ -4,12 +4,14 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Normals of the surface, without orientation.
+ * Normals of the surface, without orientation, and how curved it is.
  */
 
 #include "surface_normals.h"
 
 #include "base/parallel_for.h"
+
+#include <algorithm>
 
 #include <Eigen/Eigenvalues>
 
@@ -32,23 +34,45 @@ spreadAround(const Points& points, const NearestNeighbors& neighbors, std::size_
   return squares - sum * sum.transpose() / static_cast<double>(1 + neighbors.count());
 }
 
-Eigen::Vector3f
-normalOf(const Eigen::Matrix3d& spread)
+struct PointShape {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  float curvature = 1.0f;
+};
+
+PointShape
+shapeOf(const Eigen::Matrix3d& spread)
 {
   // Of lines, the second eigenvalue is noise.
   constexpr double flat = 1e-6;
   const double size = spread.trace();
   if (!(size > 0.0))
-    return Eigen::Vector3f::Zero();
+    return {};
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(spread / size);
   if (!(solver.eigenvalues()[1] > flat))
-    return Eigen::Vector3f::Zero();
+    return {};
   const Eigen::Vector3f normal =
       solver.eigenvectors().col(0).normalized().cast<float>();
   Eigen::Index largest = 0; // the first of equal ones
   normal.cwiseAbs().maxCoeff(&largest);
-  return normal[largest] < 0.0f ? Eigen::Vector3f(-normal) : normal;
+  return {normal[largest] < 0.0f ? Eigen::Vector3f(-normal) : normal,
+          static_cast<float>(std::max(solver.eigenvalues()[0], 0.0))};
+}
+
+template <typename Visit>
+void
+forEachPoint(std::size_t points, const ExecutionOptions& execution, const Visit& visit)
+{
+  Progress progress(execution.progress);
+  parallelFor(points,
+              1024,
+              threadCount(execution.threads),
+              progress,
+              {0.0, 0.0},
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                  visit(i);
+              });
 }
 
 } // namespace
@@ -60,18 +84,27 @@ surfaceNormals(const Points& points,
                const std::vector<bool>& wanted)
 {
   std::vector<Eigen::Vector3f> normals(points.size(), Eigen::Vector3f::Zero());
-  Progress progress(execution.progress);
-  parallelFor(points.size(),
-              1024,
-              threadCount(execution.threads),
-              progress,
-              {0.0, 0.0},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i)
-                  if (wanted.empty() || wanted[i])
-                    normals[i] = normalOf(spreadAround(points, neighbors, i));
-              });
+  forEachPoint(points.size(), execution, [&](std::size_t i) {
+    if (wanted.empty() || wanted[i])
+      normals[i] = shapeOf(spreadAround(points, neighbors, i)).normal;
+  });
   return normals;
+}
+
+SurfaceShape
+surfaceShape(const Points& points,
+             const NearestNeighbors& neighbors,
+             const ExecutionOptions& execution)
+{
+  SurfaceShape shape;
+  shape.normals.resize(points.size());
+  shape.curvatures.resize(points.size());
+  forEachPoint(points.size(), execution, [&](std::size_t i) {
+    const PointShape at = shapeOf(spreadAround(points, neighbors, i));
+    shape.normals[i] = at.normal;
+    shape.curvatures[i] = at.curvature;
+  });
+  return shape;
 }
 
 } // namespace pcl_cid

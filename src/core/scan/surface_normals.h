@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Normals of the surface, without orientation.
+ * Normals of the surface, without orientation, and how curved it is.
  */
 
 #pragma once
@@ -32,5 +32,19 @@ surfaceNormals(const Points& points,
                const NearestNeighbors& neighbors,
                const ExecutionOptions& execution,
                const std::vector<bool>& wanted = {});
+
+/** \brief What the surface is like at each point. */
+struct SurfaceShape {
+  std::vector<Eigen::Vector3f> normals; ///< see surfaceNormals()
+  /** The share of the spread of a point and its neighbors that is along the normal, 0
+   *  to 1/3, as PCL has it; 1 where there is no normal. */
+  std::vector<float> curvatures;
+};
+
+/** \brief Normals as above, and the curvatures beside them. */
+SurfaceShape
+surfaceShape(const Points& points,
+             const NearestNeighbors& neighbors,
+             const ExecutionOptions& execution);
 
 } // namespace pcl_cid

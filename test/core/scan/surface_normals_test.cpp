@@ -71,6 +71,31 @@ TEST(SurfaceNormals, AreWhereThePointsSpreadLeast)
   }
 }
 
+/// The smallest share of the spread, and the same normals.
+TEST(SurfaceNormals, CurvaturesAreSharesOfTheSpread)
+{
+  for (const NamedPoints& cloud : allClouds()) {
+    SCOPED_TRACE(cloud.name);
+    const Points& points = cloud.points;
+    const NearestNeighbors neighbors(points, onThreads(1), NearestNeighbors::most);
+    const SurfaceShape shape = surfaceShape(points, neighbors, onThreads(1));
+    EXPECT_EQ(shape.normals, normalsOf(points));
+    ASSERT_EQ(shape.curvatures.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 200) {
+      if (shape.normals[i] == Eigen::Vector3f::Zero()) {
+        EXPECT_EQ(shape.curvatures[i], 1.0f) << i;
+        continue;
+      }
+      const Eigen::VectorXd spread =
+          Eigen::JacobiSVD<Eigen::MatrixXd>(aboutMean(points, neighbors, i))
+              .singularValues()
+              .cwiseAbs2();
+      EXPECT_NEAR(shape.curvatures[i], spread[2] / spread.sum(), 1e-6) << i;
+      EXPECT_GE(shape.curvatures[i], 0.0f) << i;
+    }
+  }
+}
+
 TEST(SurfaceNormals, OfSomePointsAreThoseOfAll)
 {
   const Points points = twoBoxes(500, 9);
