@@ -12,6 +12,7 @@
 #include <pcl_cid/core/execution.h>
 #include <pcl_cid/core/grouping.h>
 #include <pcl_cid/core/settings.h>
+#include <pcl_cid/core/smooth_patches.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <algorithm>
@@ -195,6 +196,14 @@ struct MergingSettings {
  *  O(K^2 log K), and O(N log group_samples) for the draw. O(K^2) memory. */
 PCL_CID_EXPORT MergeTree
 mergeGroups(const Grouping& grouping,
+            const MergingSettings& settings = {},
+            const ExecutionOptions& execution = {});
+
+/** \brief The same for patches in the place of the groups of seeds (*ours*).
+ *  \param[in] samples M */
+PCL_CID_EXPORT MergeTree
+mergeGroups(const SmoothPatches& patches,
+            int samples = setting::samples.initial,
             const MergingSettings& settings = {},
             const ExecutionOptions& execution = {});
 

@@ -139,6 +139,12 @@ enum class SeedingRule {
   soft      ///< drawn with the 16th power of it as weight (*ours*): less drawn to noise
 };
 
+/** \brief Which groups Algorithm 2 begins with. */
+enum class GroupRule {
+  cid,    ///< the points with the smallest CID to each seed: the paper
+  patches ///< smooth patches of the surface (*ours*): see SmoothPatches
+};
+
 /** \brief How parts are put together. */
 enum class MergingRule {
   cid, ///< by group CID: Algorithm 2 of the paper
@@ -254,6 +260,12 @@ inline constexpr NumberSetting<int> merges{
     "Parts", "merges", "number of merges", "T", "", 0, 0, any_number,
     "merge this many times"};
 
+inline constexpr ChoiceSetting<GroupRule, 2> groups{
+    "Parts", "groups", "RULE", GroupRule::cid,
+    {{{"cid", GroupRule::cid}, {"patches", GroupRule::patches}}},
+    "merge the groups of seeds (cid, the paper), or smooth patches of the surface, as "
+    "many as --seeds says (patches)"};
+
 inline constexpr NumberSetting<int> group_samples{
     "Parts", "group_samples", "group sample size", "G", "", 32, 1, 1 << 20,
     "points drawn from each group; its group CIDs are means of so many pairs"};
@@ -348,6 +360,7 @@ forEachSetting(Visitor&& visit)
             setting::parts,
             setting::threshold,
             setting::merges,
+            setting::groups,
             setting::group_samples,
             setting::merging,
             setting::max_error,

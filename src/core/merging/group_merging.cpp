@@ -280,6 +280,20 @@ knownHeight(const std::vector<MergeStep>& steps,
   return steps.empty() ? 0.0 : std::nextafter(steps.back().height, 0.0);
 }
 
+GroupMergingOptions
+optionsOf(const PreparedScan& scan,
+          int samples,
+          const MergingSettings& settings,
+          const ExecutionOptions& execution)
+{
+  GroupMergingOptions options;
+  static_cast<MergingSettings&>(options) = settings;
+  options.samples = samples;
+  options.random_seed = scan.settings().random_seed;
+  options.execution = execution;
+  return options;
+}
+
 } // namespace
 
 MergeTree
@@ -317,15 +331,23 @@ mergeGroups(const Grouping& grouping,
             const ExecutionOptions& execution)
 {
   requireAtLeast("number of seeds", grouping.numberOfSeeds(), std::size_t{1});
-  GroupMergingOptions options;
-  static_cast<MergingSettings&>(options) = settings;
-  options.samples = grouping.settings().samples;
-  options.random_seed = grouping.scan().settings().random_seed;
-  options.execution = execution;
-  return mergeGroups(grouping.scan().working(),
-                     grouping.groupsOfWorkingPoints(partOf(execution, 0.0, 0.0)),
-                     grouping.numberOfSeeds(),
-                     options);
+  return mergeGroups(
+      grouping.scan().working(),
+      grouping.groupsOfWorkingPoints(partOf(execution, 0.0, 0.0)),
+      grouping.numberOfSeeds(),
+      optionsOf(grouping.scan(), grouping.settings().samples, settings, execution));
+}
+
+MergeTree
+mergeGroups(const SmoothPatches& patches,
+            int samples,
+            const MergingSettings& settings,
+            const ExecutionOptions& execution)
+{
+  return mergeGroups(patches.scan().working(),
+                     patches.groupsOfWorkingPoints(),
+                     patches.numberOfPatches(),
+                     optionsOf(patches.scan(), samples, settings, execution));
 }
 
 } // namespace pcl_cid
