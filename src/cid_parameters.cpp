@@ -218,6 +218,15 @@ CIDParameters::adoptGrouping(const Grouping::ConstPtr& grouping)
   grouping_is_given_ = true;
 }
 
+void
+CIDParameters::requireNoGrouping() const
+{
+  if (grouping_is_given_)
+    throw CIDException(
+        "groups of seeds were given, and the group rule says patches; set "
+        "the rule to cid, or share the prepared scan only");
+}
+
 std::shared_ptr<Grouping>
 CIDParameters::changeableGrouping() const
 {

@@ -119,22 +119,60 @@ CIDPartParameters::setTrimDistance(double trim_distance)
   setHullOption(&ConvexPartOptions::trim_distance, trim_distance);
 }
 
+template <typename Merge>
 std::vector<int>
-CIDPartParameters::cutGroups(const Grouping::ConstPtr& grouping,
-                             const ExecutionOptions& execution)
+CIDPartParameters::cutTree(const std::shared_ptr<const void>& groups,
+                           std::size_t number,
+                           int samples,
+                           const Merge& merge)
 {
   MergingSettings settings;
   settings.group_samples = static_cast<std::size_t>(group_sample_size_);
   if (stop_at_cut_)
-    settings.stopAt(merge_cut_, grouping->numberOfSeeds());
-  if (merged_ != grouping || !(merged_with_ == settings)) {
+    settings.stopAt(merge_cut_, number);
+  if (merged_ != groups || merged_samples_ != samples || !(merged_with_ == settings)) {
     merged_.reset();
     merge_tree_ = MergeTree();
-    merge_tree_ = mergeGroups(*grouping, settings, execution);
-    merged_ = grouping;
+    merge_tree_ = merge(settings);
+    merged_ = groups;
+    merged_samples_ = samples;
     merged_with_ = settings;
   }
   return merge_tree_.cut(merge_cut_);
+}
+
+std::vector<int>
+CIDPartParameters::cutGroups(const Grouping::ConstPtr& grouping,
+                             const ExecutionOptions& execution)
+{
+  patches_.reset();
+  return cutTree(grouping,
+                 grouping->numberOfSeeds(),
+                 grouping->settings().samples,
+                 [&](const MergingSettings& settings) {
+                   return mergeGroups(*grouping, settings, execution);
+                 });
+}
+
+std::vector<int>
+CIDPartParameters::cutPatches(const PreparedScan::ConstPtr& scan,
+                              int most,
+                              int samples,
+                              const ExecutionOptions& execution)
+{
+  if (!patches_ || patches_->sharedScan() != scan || most_patches_ != most) {
+    patches_.reset();
+    patches_ = std::make_shared<const SmoothPatches>(
+        scan, static_cast<std::size_t>(most), partOf(execution, 0.0, 0.3));
+    most_patches_ = most;
+  }
+  return cutTree(patches_,
+                 patches_->numberOfPatches(),
+                 samples,
+                 [&](const MergingSettings& settings) {
+                   return mergeGroups(
+                       *patches_, samples, settings, partOf(execution, 0.3, 1.0));
+                 });
 }
 
 std::vector<int>

@@ -19,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -469,6 +470,82 @@ TEST(CIDConvexAbstraction, MergesGroupsOfGivenSeeds)
   EXPECT_EQ(abstraction.getProposal().group, corrected->groups());
   abstraction.setGrouping(std::make_shared<Grouping>(corrected->sharedScan()));
   EXPECT_THROW(abstraction.segment(parts), CIDException) << "no seeds, no groups";
+}
+
+/** Patches are the groups of the classes, too: the same tree, and each part is made of
+ *  whole patches. */
+TEST(CIDConvexAbstraction, MergesPatches)
+{
+  const auto cloud = toCloud(twoBoxes(600, 101));
+  Abstraction abstraction = abstractionFor(cloud);
+  abstraction.setGroupRule(GroupRule::patches);
+  abstraction.setNumberOfParts(2);
+  std::vector<ConvexPart> parts;
+  abstraction.reconstruct(parts);
+  expectTheTwoBoxes(parts);
+  const SmoothPatches::ConstPtr patches = abstraction.getPatches();
+  ASSERT_TRUE(patches);
+  EXPECT_EQ(patches->numberOfPatches(), 10u);
+  EXPECT_TRUE(abstraction.getProposal().seeds.empty());
+  MergingSettings settings;
+  settings.group_samples = 8;
+  const MergeTree expected = mergeGroups(*patches, 30, settings);
+  EXPECT_EQ(abstraction.getMergeTree().groupSizes(), expected.groupSizes());
+  EXPECT_EQ(abstraction.getMergeTree().cutAtParts(4), expected.cutAtParts(4));
+  std::vector<pcl::PointIndices> segments;
+  abstraction.segment(segments);
+  pcl::Indices all(600);
+  std::iota(all.begin(), all.end(), 0);
+  expectPartition(segments, all);
+  EXPECT_EQ(abstraction.getPatches(), patches) << "found twice";
+  abstraction.reconstruct(expected.cutAtParts(5), parts);
+  EXPECT_EQ(parts.size(), 5u);
+}
+
+TEST(CIDConvexAbstraction, PatchesFollowTheirSettings)
+{
+  const auto cloud = toCloud(twoBoxes(600, 101));
+  Abstraction abstraction = abstractionFor(cloud);
+  abstraction.setGroupRule(GroupRule::patches);
+  std::vector<pcl::PointIndices> parts;
+  abstraction.segment(parts);
+  const double height = abstraction.getMergeTree().steps().back().height;
+  abstraction.setNumberOfSamples(3);
+  abstraction.segment(parts);
+  EXPECT_NE(abstraction.getMergeTree().steps().back().height, height);
+  abstraction.setNumberOfSeeds(5);
+  abstraction.segment(parts);
+  EXPECT_EQ(abstraction.getMergeTree().numberOfGroups(), 5u);
+  abstraction.setGroupRule(GroupRule::cid);
+  abstraction.segment(parts);
+  EXPECT_FALSE(abstraction.getPatches());
+  EXPECT_EQ(abstraction.getProposal().seeds.size(), 5u);
+  abstraction.setGroupRule(GroupRule::patches);
+  abstraction.setPaperSettings();
+  EXPECT_EQ(abstraction.getGroupRule(), GroupRule::cid);
+}
+
+TEST(CIDConvexAbstraction, PatchesOfAnotherInputOrBesideGivenGroupsAreRefused)
+{
+  const auto cloud = toCloud(twoBoxes(600, 101));
+  Abstraction abstraction = abstractionFor(cloud);
+  abstraction.setGroupRule(GroupRule::patches);
+  std::vector<ConvexPart> parts;
+  abstraction.reconstruct(parts);
+  const std::vector<int> cut = abstraction.getMergeTree().cutAtParts(2);
+  abstraction.setInputCloud(toCloud(twoBoxes(300, 5)));
+  EXPECT_THROW(abstraction.reconstruct(cut, parts), CIDException);
+  EXPECT_TRUE(parts.empty());
+  abstraction.reconstruct(parts);
+  EXPECT_FALSE(parts.empty());
+  Abstraction of_seeds = abstractionFor(cloud);
+  of_seeds.reconstruct(parts);
+  abstraction.setInputCloud(cloud);
+  abstraction.setGrouping(of_seeds.getGrouping());
+  EXPECT_THROW(abstraction.reconstruct(parts), CIDException);
+  abstraction.setGroupRule(GroupRule::cid);
+  abstraction.reconstruct(parts);
+  EXPECT_FALSE(parts.empty());
 }
 
 TEST(CIDConvexAbstraction, CutOfAnotherInputIsRefused)

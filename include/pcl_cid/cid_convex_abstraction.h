@@ -43,7 +43,7 @@ public:
   /** \brief Merge these groups, of a sampler or a label propagation, on the scan that
    *  they are on, instead of making any. Call it after setInputCloud(). With another
    *  number of samples, seeding rule, setting of the preparation or input, groups are
-   *  made again.
+   *  made again. With GroupRule::patches, verbs refuse it.
    *  \throws CIDException when it is null */
   void
   setGrouping(const Grouping::ConstPtr& grouping)
@@ -56,6 +56,7 @@ public:
   {
     CIDParameters::setPaperSettings();
     setMergingRule(setting::merging.paper());
+    setGroupRule(setting::groups.paper());
   }
 
   /** \brief The points of each part.
@@ -95,6 +96,11 @@ private:
    *  \param[in] until the share of the verb's progress that this makes up */
   std::vector<int>
   decompose(double until);
+
+  /** \brief The group of each point of the input cloud, from the last decompose(); -1
+   *  for none, and empty where the input is another one by now. */
+  std::vector<pcl::index_t>
+  groupOfEachPoint() const;
 };
 
 } // namespace pcl_cid

@@ -241,6 +241,11 @@ protected:
   void
   adoptGrouping(const Grouping::ConstPtr& grouping);
 
+  /** \brief For verbs that do without groups of seeds.
+   *  \throws CIDException when adoptGrouping() has given some */
+  void
+  requireNoGrouping() const;
+
   /** \brief The grouping of the last verb, for changing: a copy where others hold it,
    *  too. publish() makes it the result. */
   std::shared_ptr<Grouping>

@@ -159,6 +159,30 @@ public:
     return fitting_;
   }
 
+  /** \brief Which groups are merged by CID: those of seeds (the paper, and the
+   * default), or smooth patches of the surface, as many as setNumberOfSeeds() says.
+   * Patches have no seeds: no other setting of seeds matters then, and getProposal() is
+   * empty. */
+  void
+  setGroupRule(GroupRule group_rule)
+  {
+    group_rule_ = group_rule;
+  }
+
+  GroupRule
+  getGroupRule() const
+  {
+    return group_rule_;
+  }
+
+  /** \brief The patches that the last segment() or reconstruct() merged; null where it
+   *  merged groups of seeds, and before. */
+  const SmoothPatches::ConstPtr&
+  getPatches() const
+  {
+    return patches_;
+  }
+
   /** \brief Points drawn from each group to estimate CID_g, of as many pairs: at least
    *  1; default 32. Two groups with no more pairs than that are compared whole. */
   void
@@ -243,6 +267,16 @@ protected:
   std::vector<int>
   cutGroups(const Grouping::ConstPtr& grouping, const ExecutionOptions& execution);
 
+  /** \brief The same on patches of a scan, which are found unless the last ones are
+   *  those.
+   *  \param[in] most K
+   *  \param[in] samples M */
+  std::vector<int>
+  cutPatches(const PreparedScan::ConstPtr& scan,
+             int most,
+             int samples,
+             const ExecutionOptions& execution);
+
   /** \brief The part of each point of the input cloud, -1 for none; small parts are
    *  dropped.
    *  \param[in] group of each point
@@ -272,6 +306,18 @@ protected:
                 std::vector<ConvexPart>& parts) const;
 
 private:
+  /** \brief Algorithm 2 on groups, unless its last result still holds, and the cut.
+   *  \param[in] groups what the tree is of
+   *  \param[in] number K
+   *  \param[in] samples M
+   *  \param[in] merge called with the settings of Algorithm 2 */
+  template <typename Merge>
+  std::vector<int>
+  cutTree(const std::shared_ptr<const void>& groups,
+          std::size_t number,
+          int samples,
+          const Merge& merge);
+
   /** \brief Change one hull option, unless it is out of its range. */
   template <typename Value>
   void
@@ -283,6 +329,7 @@ private:
 
   MergeCut merge_cut_;
   bool stop_at_cut_ = false;
+  GroupRule group_rule_ = setting::groups.initial;
   int group_sample_size_ = setting::group_samples.initial;
   int min_points_ = setting::min_points.initial;
   std::size_t dropped_points_ = 0;
@@ -291,7 +338,10 @@ private:
   HullFittingSettings fitting_settings_;
   HullFitting fitting_;
   MergeTree merge_tree_;
-  Grouping::ConstPtr merged_; ///< the grouping of merge_tree_
+  SmoothPatches::ConstPtr patches_;
+  int most_patches_ = 0;               ///< what these were asked for
+  std::shared_ptr<const void> merged_; ///< the grouping or patches of merge_tree_
+  int merged_samples_ = 0;
   MergingSettings merged_with_;
 };
 

@@ -23,8 +23,9 @@
 namespace pcl_cid::tools {
 namespace {
 
-const std::string group_options = "--threshold, --merges, --tree, --curve, --seeds, "
-                                  "--coverage, --start-index or --group-samples";
+const std::string group_options =
+    "--threshold, --merges, --tree, --curve, --seeds, "
+    "--coverage, --start-index, --groups or --group-samples";
 
 constexpr const char* about =
     "Turn a scan into convex hulls. INPUT is a file of points (PCD, PLY, text,\n"
@@ -59,6 +60,10 @@ declareMergeOptions(AbstractSettings& settings, CommandLine& line)
   line.flag("strict",
             settings.strict,
             "an error, where --max-error takes more hulls than --parts says");
+  line.choice(setting::groups,
+              settings.groups,
+              std::string("default ") +
+                  setting::groups.wordOf(setting::groups.initial));
   line.setting(setting::group_samples, settings.group_samples);
   line.setting(setting::min_points, settings.min_points);
   line.file("labels",
@@ -92,6 +97,7 @@ declareSessionParts(AbstractSettings& settings, CommandLine& line)
                 optionName(setting::merging),
                 optionName(setting::max_error),
                 optionName(setting::robot_radius),
+                optionName(setting::groups),
                 optionName(setting::group_samples),
                 optionName(setting::min_points),
                 "viewpoints",
@@ -116,6 +122,17 @@ requireFittingRule(const AbstractSettings& settings)
     throw UsageError(group_options +
                      " are about groups and their merges; leave them out with "
                      "--merging hull");
+}
+
+/** Patches come from the surface alone. */
+void
+requireSeeds(const AbstractSettings& settings)
+{
+  const bool about_seeds = settings.coverage || settings.start_index ||
+                           settings.raw_scan.seeding != setting::seeding.initial;
+  if (settings.groupRule() == GroupRule::patches && about_seeds)
+    throw UsageError("--coverage, --start-index and --seeding are about seeds, and "
+                     "patches have none; leave them out with --groups patches");
 }
 
 /** The format of OUTPUT, of each scan where there are several. */
@@ -172,7 +189,7 @@ bool
 AbstractSettings::isAboutGroups() const
 {
   return threshold || merges || !tree.empty() || !curve.empty() || seeds || coverage ||
-         start_index || group_samples != setting::group_samples.initial;
+         start_index || groups || group_samples != setting::group_samples.initial;
 }
 
 void
@@ -229,6 +246,7 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
     });
   requireReader(settings);
   requireFittingRule(settings);
+  requireSeeds(settings);
   checkSceneOptions(settings.scenes);
   requireNamedParts(settings);
   return true;
@@ -300,6 +318,7 @@ partParametersOf(const AbstractSettings& settings)
     list.push_back(
         parameter(setting::robot_radius,
                   settings.robot_radius.value_or(setting::robot_radius.initial)));
+  list.push_back(parameter(setting::groups, settings.groupRule()));
   list.push_back(parameter(setting::group_samples, settings.group_samples));
   list.push_back(parameter(setting::min_points, settings.min_points));
   list.push_back(parameter(setting::min_thickness, settings.hulls.min_thickness));

@@ -33,6 +33,7 @@ struct AbstractSettings : Settings {
   std::optional<double> max_error;
   std::optional<double> robot_radius;
   std::string viewpoints; ///< a file, or `cloud` for the pose of the cloud
+  std::optional<GroupRule> groups;
   int group_samples = setting::group_samples.initial;
   int min_points = setting::min_points.initial;
   ConvexPartOptions hulls;
@@ -50,6 +51,12 @@ struct AbstractSettings : Settings {
   /** \brief Without `--merging`, by hull where nothing but hulls is asked for. */
   MergingRule
   mergingRule() const;
+
+  GroupRule
+  groupRule() const
+  {
+    return groups.value_or(setting::groups.initial);
+  }
 
   ConvexPartOptions
   hullOptions() const;

@@ -37,6 +37,7 @@ configureMerging(const AbstractSettings& settings, Abstraction& abstraction)
     abstraction.setMergeThreshold(*settings.threshold);
   if (settings.merges)
     abstraction.setNumberOfMerges(*settings.merges);
+  abstraction.setGroupRule(settings.groupRule());
   abstraction.setGroupSampleSize(settings.group_samples);
   abstraction.setMinPoints(settings.min_points);
   abstraction.setHullOptions(settings.hullOptions());
@@ -120,7 +121,7 @@ decompose(Abstraction& abstraction,
   std::vector<pcl::PointIndices> parts;
   abstraction.segment(parts);
   result.tree = abstraction.getMergeTree();
-  run.end(std::to_string(abstraction.getProposal().seeds.size()) + " groups, " +
+  run.end(std::to_string(result.tree.numberOfGroups()) + " groups, " +
               std::to_string(parts.size()) + " parts",
           "decompose");
   run.begin("Computing hulls");
@@ -129,6 +130,16 @@ decompose(Abstraction& abstraction,
   coverFilePoints(scan, result);
   run.end(std::to_string(result.parts.size()) + " hulls", "hulls");
   result.dropped_points = abstraction.getNumberOfDroppedPoints();
+}
+
+/** What was merged, for the report. */
+void
+describeGroups(const Abstraction& abstraction, const LoadedScan& scan, Run& run)
+{
+  if (abstraction.getPatches())
+    describePatches(*abstraction.getPatches(), scan.points, run.report);
+  else
+    describeProposal(abstraction.getProposal(), scan.points, run.report);
 }
 
 /** How tightly the hulls fit, for the report, and over all cuts, when asked for. */
@@ -172,7 +183,7 @@ abstract(const AbstractSettings& settings,
   describeDensity(abstraction.getDensityDecision(), run);
   describeBlindSpot(abstraction.getBlindSpot(), scan.points.frame, run);
   if (!by_hull)
-    describeProposal(abstraction.getProposal(), scan.points, run.report);
+    describeGroups(abstraction, scan, run);
   measureTightness(settings, result, abstraction, run);
   moveToFile(scan.points.frame, result);
   return result;

@@ -17,8 +17,28 @@ template <typename PointT>
 std::vector<int>
 CIDConvexAbstraction<PointT>::decompose(double until)
 {
+  if (this->getGroupRule() == GroupRule::patches) {
+    this->requireNoGrouping();
+    this->clearProposal();
+    return this->cutPatches(this->prepare(),
+                            this->getNumberOfSeeds(),
+                            this->getNumberOfSamples(),
+                            this->execution(0.0, until));
+  }
   this->proposeSeeds("CIDConvexAbstraction", this->execution(0.0, 0.5 * until));
   return this->cutGroups(this->getGrouping(), this->execution(0.5 * until, until));
+}
+
+template <typename PointT>
+std::vector<pcl::index_t>
+CIDConvexAbstraction<PointT>::groupOfEachPoint() const
+{
+  const SmoothPatches::ConstPtr& patches = this->getPatches();
+  if (!patches)
+    return this->getProposal().group;
+  if (patches->sharedScan() != this->getPreparedScan())
+    return {}; // of another input
+  return patches->groups();
 }
 
 template <typename PointT>
@@ -27,7 +47,7 @@ CIDConvexAbstraction<PointT>::segment(std::vector<pcl::PointIndices>& parts)
 {
   parts.clear();
   const std::vector<int> cut = decompose(1.0);
-  const std::vector<int> part = this->partOfEachPoint(this->getProposal().group, cut);
+  const std::vector<int> part = this->partOfEachPoint(groupOfEachPoint(), cut);
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (part[i] < 0)
       continue;
@@ -53,8 +73,8 @@ CIDConvexAbstraction<PointT>::reconstruct(std::vector<ConvexPart>& parts)
     return;
   }
   const std::vector<int> cut = decompose(0.9);
-  parts = this->makeParts(this->getGrouping()->scan(),
-                          this->partOfEachPoint(this->getProposal().group, cut),
+  parts = this->makeParts(*this->getPreparedScan(),
+                          this->partOfEachPoint(groupOfEachPoint(), cut),
                           this->execution(0.9, 1.0));
 }
 
@@ -64,8 +84,8 @@ CIDConvexAbstraction<PointT>::reconstruct(const std::vector<int>& cut,
                                           std::vector<ConvexPart>& parts)
 {
   parts.clear();
-  const std::vector<int> part = this->partOfEachPoint(this->getProposal().group, cut);
-  parts = this->makeParts(this->getGrouping()->scan(), part, this->execution(0.0, 1.0));
+  const std::vector<int> part = this->partOfEachPoint(groupOfEachPoint(), cut);
+  parts = this->makeParts(*this->getPreparedScan(), part, this->execution(0.0, 1.0));
 }
 
 template <typename PointT>

@@ -30,6 +30,7 @@ namespace pcl_cid {
 struct CloudPoints;
 struct ConvexPart;
 class MergeTree;
+class SmoothPatches;
 struct SeedProposal;
 
 /** \brief How many labels are those that a cloud came with. */
@@ -122,6 +123,8 @@ struct Report {
   std::vector<std::uint32_t> seed_labels;
   /** Points of each group. */
   std::vector<std::size_t> group_sizes;
+  /** Points that each patch grew over; empty where groups are those of seeds. */
+  std::vector<std::size_t> grown_sizes;
   std::optional<LabelScore> score;
   /** The parts. They are not copied and must live until toJson(); null when there are
    *  none. */
@@ -147,6 +150,13 @@ PCL_CID_IO_EXPORT void
 describeProposal(const SeedProposal& proposal,
                  const CloudPoints& points,
                  Report& report);
+
+/** \brief The same for patches: points and groups; there are no seeds.
+ *  \param[in] points coordinates of the cloud */
+PCL_CID_IO_EXPORT void
+describePatches(const SmoothPatches& patches,
+                const CloudPoints& points,
+                Report& report);
 
 /** \brief The report with the library's version and the peak memory of this process so
  *  far, as JSON. */

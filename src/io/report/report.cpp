@@ -10,6 +10,7 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/smooth_patches.h>
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/report.h>
 #include <pcl_cid/version.h>
@@ -78,6 +79,16 @@ seedsOf(const Report& report)
     seeds.push_back(std::move(seed));
   }
   return seeds;
+}
+
+Json
+patchesOf(const Report& report)
+{
+  Json patches = Json::array();
+  for (std::size_t k = 0; k < report.grown_sizes.size(); ++k)
+    patches.push_back(
+        {{"points", report.group_sizes[k]}, {"grown", report.grown_sizes[k]}});
+  return patches;
 }
 
 Json
@@ -156,6 +167,20 @@ peakMemoryBytes()
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
+/** Sizes of groups, and how many points they have. */
+void
+countGroups(const std::vector<pcl::index_t>& groups, std::size_t number, Report& report)
+{
+  report.group_sizes.assign(number, 0);
+  report.points_grouped = 0;
+  for (const pcl::index_t group : groups) {
+    if (group < 0)
+      continue;
+    ++report.group_sizes[static_cast<std::size_t>(group)];
+    ++report.points_grouped;
+  }
+}
+
 /** Names of files may hold any bytes, JSON only UTF-8. */
 std::string
 print(const Json& json)
@@ -202,14 +227,20 @@ describeProposal(const SeedProposal& proposal,
         points.frame.toFile((*points.points)[static_cast<std::size_t>(seed)]
                                 .getVector3fMap()
                                 .cast<double>()));
-  report.group_sizes.assign(proposal.seeds.size(), 0);
-  report.points_grouped = 0;
-  for (const pcl::index_t group : proposal.group) {
-    if (group < 0)
-      continue;
-    ++report.group_sizes[static_cast<std::size_t>(group)];
-    ++report.points_grouped;
-  }
+  countGroups(proposal.group, proposal.seeds.size(), report);
+  report.grown_sizes.clear();
+}
+
+void
+describePatches(const SmoothPatches& patches, const CloudPoints& points, Report& report)
+{
+  report.points_in = points.points->size();
+  report.points_finite = points.finite;
+  report.seeds.clear();
+  report.coverage.clear();
+  report.seed_positions.clear();
+  countGroups(patches.groups(), patches.numberOfPatches(), report);
+  report.grown_sizes = patches.grownSizes();
 }
 
 std::string
@@ -230,6 +261,8 @@ toJson(const Report& report)
   if (report.blind_spot)
     json["blind_spot"] = blindSpotOf(*report.blind_spot);
   json["seeds"] = seedsOf(report);
+  if (!report.grown_sizes.empty())
+    json["patches"] = patchesOf(report);
   if (report.score)
     json["score"] = scoreOf(*report.score);
   if (report.parts) {

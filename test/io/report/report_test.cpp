@@ -12,6 +12,7 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/grouping.h>
+#include <pcl_cid/core/smooth_patches.h>
 #include <pcl_cid/io/report.h>
 #include <pcl_cid/version.h>
 
@@ -68,6 +69,40 @@ TEST(ReportTest, HoldsWhatWasPutIn)
   EXPECT_FALSE(json.contains("parts"));
   EXPECT_FALSE(json.contains("score"));
   EXPECT_FALSE(json.contains("density"));
+}
+
+TEST(ReportTest, HoldsPatchesInThePlaceOfSeeds)
+{
+  const CloudPoints points = pointsOf(deskScan());
+  Report report;
+  report.seeds = {3};
+  report.coverage = {0.5f};
+  report.seed_positions.resize(1);
+  RawScan scan;
+  pcl::Indices all;
+  Points positions;
+  for (std::size_t i = 0; i < points.points->size(); ++i)
+    if ((*points.points)[i].getVector3fMap().allFinite()) {
+      all.push_back(static_cast<pcl::index_t>(i));
+      positions.push_back((*points.points)[i].getVector3fMap());
+    }
+  scan.cloud_size = points.points->size();
+  scan.points = PointSet(std::move(positions), std::move(all));
+  const SmoothPatches patches(
+      std::make_shared<const PreparedScan>(std::move(scan), PreparationSettings()), 4);
+  describePatches(patches, points, report);
+  const nlohmann::json json = nlohmann::json::parse(toJson(report));
+  EXPECT_TRUE(json["seeds"].empty());
+  EXPECT_EQ(json["points"]["grouped"], points.finite);
+  ASSERT_EQ(json["patches"].size(), patches.numberOfPatches());
+  std::vector<std::size_t> sizes(patches.numberOfPatches(), 0);
+  for (const pcl::index_t patch : patches.groups())
+    if (patch >= 0)
+      ++sizes[static_cast<std::size_t>(patch)];
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    EXPECT_EQ(json["patches"][k]["points"], sizes[k]);
+    EXPECT_EQ(json["patches"][k]["grown"], patches.grownSizes()[k]);
+  }
 }
 
 TEST(ReportTest, HoldsWhatWasDecidedAboutTheDensity)

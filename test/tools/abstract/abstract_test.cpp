@@ -123,6 +123,42 @@ TEST_F(AbstractTool, CutsByPartsThresholdAndMerges)
   EXPECT_EQ(body(readText(file("threshold.obj"))), body(readText(file("parts.obj"))));
 }
 
+TEST_F(AbstractTool, MergesPatchesAndReportsThem)
+{
+  abstract({scan_,
+            file("hulls.obj"),
+            "--groups",
+            "patches",
+            "--seeds",
+            "12",
+            "--parts",
+            "5",
+            "--tree",
+            file("tree.json"),
+            "--report",
+            file("report.json")});
+  const nlohmann::json report = json("report.json");
+  EXPECT_EQ(report["parameters"]["groups"], "patches");
+  EXPECT_EQ(report["parameters"]["merging"], "cid");
+  EXPECT_TRUE(report["seeds"].empty());
+  EXPECT_EQ(report["parts"].size(), 5u);
+  ASSERT_EQ(report["patches"].size(), 12u);
+  std::size_t points = 0;
+  for (std::size_t k = 0; k < 12; ++k) {
+    const nlohmann::json& patch = report["patches"][k];
+    EXPECT_EQ(patch["points"], json("tree.json")["group_sizes"][k]);
+    EXPECT_GE(patch["grown"], 1);
+    EXPECT_LE(patch["grown"], patch["points"]);
+    points += patch["points"].get<std::size_t>();
+  }
+  EXPECT_EQ(report["points"]["grouped"], points);
+  abstract(
+      {scan_, file("of_seeds.obj"), "--groups", "cid", "--report", file("2.json")});
+  EXPECT_EQ(json("2.json")["parameters"]["groups"], "cid");
+  EXPECT_EQ(json("2.json")["seeds"].size(), 100u);
+  EXPECT_FALSE(json("2.json").contains("patches"));
+}
+
 TEST_F(AbstractTool, ChoosesThePartsItselfWhenNotTold)
 {
   abstract(
