@@ -45,19 +45,42 @@ fittedParts(const Scan& scan, PartMaker& maker, const ExecutionOptions& executio
 std::vector<ConvexPart>
 mergedParts(const Scan& scan,
             const Seeding& seeding,
+            const PartSettings& settings,
             PartMaker& maker,
             const ExecutionOptions& execution)
 {
-  const std::vector<int> cut =
-      maker.cutGroups(seeding.grouping(), partOf(execution, 0.0, 0.9));
+  const std::vector<int> cut = mergeAndCut(scan,
+                                           seeding,
+                                           settings.groups,
+                                           settings.seeds,
+                                           maker,
+                                           partOf(execution, 0.0, 0.9));
   seeding.keep(maker);
-  const Seeding::Groups groups = seeding.groups(partOf(execution, 0.9, 0.9));
+  const std::vector<pcl::index_t> groups =
+      maker.getPatches() ? maker.getPatches()->groups()
+                         : *seeding.groups(partOf(execution, 0.9, 0.9));
   return maker.makeParts(*scan.prepared(),
-                         maker.partOfEachPoint(*groups, cut),
+                         maker.partOfEachPoint(groups, cut),
                          partOf(execution, 0.9, 1.0));
 }
 
 } // namespace
+
+std::vector<int>
+mergeAndCut(const Scan& scan,
+            const Seeding& seeding,
+            GroupRule groups,
+            const std::optional<int>& seeds,
+            PartMaker& maker,
+            const ExecutionOptions& execution)
+{
+  if (groups == GroupRule::cid)
+    return maker.cutGroups(seeding.grouping(), execution);
+  return maker.cutPatches(scan.prepared(),
+                          seeds.value_or(setting::seeds.initial),
+                          scan.settings().grouping.samples,
+                          execution);
+}
 
 std::vector<ConvexPart>
 makeParts(const Scan& scan,
@@ -70,8 +93,9 @@ makeParts(const Scan& scan,
   PartMaker maker = by_hull ? PartMaker() : seeding->partMaker();
   configure(request, maker);
   const ExecutionOptions making = partOf(execution, 0.0, made);
-  std::vector<ConvexPart> parts = by_hull ? fittedParts(scan, maker, making)
-                                          : mergedParts(scan, *seeding, maker, making);
+  std::vector<ConvexPart> parts =
+      by_hull ? fittedParts(scan, maker, making)
+              : mergedParts(scan, *seeding, request.settings, maker, making);
   if (request.fewest_vertices)
     maker.simplifyParts(scan.prepared(),
                         partOf(execution, made, 0.8),

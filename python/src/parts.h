@@ -15,12 +15,15 @@
 
 #include <pcl_cid/core/convex_part.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl_cid::python {
 
 /** \brief The settings of parts and hulls. */
 struct PartSettings {
+  GroupRule groups = setting::groups.initial;
+  std::optional<int> seeds; ///< the number of patches
   int group_samples = setting::group_samples.initial;
   double robot_radius = setting::robot_radius.initial;
   int min_points = setting::min_points.initial;
@@ -32,6 +35,8 @@ template <typename Settings, typename Visitor>
 void
 forEachPartSetting(Settings& settings, Visitor&& visit)
 {
+  visit(setting::groups, settings.groups);
+  visit(setting::seeds, settings.seeds);
   visit(setting::group_samples, settings.group_samples);
   visit(setting::robot_radius, settings.robot_radius);
   visit(setting::min_points, settings.min_points);
@@ -51,6 +56,17 @@ struct PartRequest {
   /** As few vertices as the bound on the error allows. */
   bool fewest_vertices = false;
 };
+
+/** \brief Merge the groups of seeds, or patches: see CIDPartParameters::cutGroups() and
+ *  cutPatches().
+ *  \param[in] seeds the number of patches; none: the default */
+std::vector<int>
+mergeAndCut(const Scan& scan,
+            const Seeding& seeding,
+            GroupRule groups,
+            const std::optional<int>& seeds,
+            PartMaker& maker,
+            const ExecutionOptions& execution);
 
 /** \brief The parts of a scan, in the coordinates that were given. May run without the
  *  GIL.

@@ -19,17 +19,36 @@
 namespace pcl_cid::python {
 namespace {
 
+/** Whoever has seeds says with propose() how many. */
+void
+requirePatches(GroupRule groups, bool has_seeds)
+{
+  if (groups == GroupRule::cid && has_seeds)
+    refuse(
+        "seeds is the number of patches, and needs groups='patches'; propose() makes "
+        "seeds");
+}
+
 MergeTree
-mergeTree(const Scan& self, const py::object& group_samples, const py::object& progress)
+mergeTree(const Scan& self,
+          const py::object& group_samples,
+          const py::object& progress,
+          const py::object& groups,
+          const py::object& seeds)
 {
   const int number = valueFor(setting::group_samples, group_samples);
+  const GroupRule rule = valueFor(setting::groups, groups);
+  requirePatches(rule, !seeds.is_none());
+  std::optional<int> patches;
+  if (!seeds.is_none())
+    patches = valueFor(setting::seeds, seeds);
   LongWork work(progress, self.settings().threads);
   return work.run([&](const ExecutionOptions& execution) {
     const std::shared_ptr<const Seeding> seeding = self.seeding();
     PartMaker maker = seeding->partMaker();
     maker.resetMergeCut();
     maker.setGroupSampleSize(number);
-    maker.cutGroups(seeding->grouping(), execution);
+    mergeAndCut(self, *seeding, rule, patches, maker, execution);
     seeding->keep(maker);
     return maker.getMergeTree();
   });
@@ -61,8 +80,8 @@ struct GivenParts {
   bool
   isAboutGroups() const
   {
-    return !threshold.is_none() || !merges.is_none() ||
-           has(setting::group_samples.name);
+    return !threshold.is_none() || !merges.is_none() || has(setting::groups.name) ||
+           has(setting::seeds.name) || has(setting::group_samples.name);
   }
 };
 
@@ -98,14 +117,14 @@ requireFittingRule(const GivenParts& given, MergingRule rule)
 {
   const bool by_hull = rule == MergingRule::hull;
   if (by_hull && given.isAboutGroups())
-    refuse("threshold, merges and group_samples are about groups; leave them out where "
-           "parts are merged by hull");
+    refuse("threshold, merges, groups, seeds and group_samples are about groups; leave "
+           "them out where parts are merged by hull");
   if (by_hull && given.count.is_none() && given.error.is_none())
     refuse("merging by hull needs a count or an error");
   if (!by_hull && (!given.error.is_none() || !given.viewpoints.is_none() ||
                    given.has(setting::robot_radius.name)))
     refuse("error, viewpoints and robot_radius need merging by hull, and neither "
-           "threshold, merges nor group_samples");
+           "threshold, merges, groups, seeds nor group_samples");
 }
 
 /** In the coordinates of the prepared cloud. */
@@ -124,6 +143,7 @@ requestOf(GivenParts& given, const Scan& scan)
   request.settings = settingsOf(given, request.fewest_vertices);
   request.rule = ruleOf(given);
   requireFittingRule(given, request.rule);
+  requirePatches(request.settings.groups, request.settings.seeds.has_value());
   request.cut = mergeCutOf(given.count, given.threshold, given.merges);
   if (!given.error.is_none())
     request.max_error = valueFor(setting::max_error, given.error);
@@ -170,6 +190,14 @@ partsDoc(const SettingDocs& settings)
   return withRange(text, setting::merges);
 }
 
+std::string
+mergeTreeDoc()
+{
+  std::string text = withRange(merge_tree_doc, setting::group_samples);
+  text = withRange(text, setting::groups);
+  return withRange(text, setting::seeds);
+}
+
 } // namespace
 
 void
@@ -183,7 +211,10 @@ bindPartsOfScan(py::class_<Scan, std::shared_ptr<Scan>>& scan)
            &mergeTree,
            py::arg("group_samples") = setting::group_samples.initial,
            py::arg("progress") = py::none(),
-           withRange(merge_tree_doc, setting::group_samples).c_str())
+           py::kw_only(),
+           py::arg("groups") = setting::groups.wordOf(setting::groups.initial),
+           py::arg("seeds") = py::none(),
+           mergeTreeDoc().c_str())
       .def("parts",
            &parts,
            py::arg("count") = py::none(),

@@ -224,6 +224,10 @@ group_samples : int, default {group_samples}
     Points drawn from each group: {group_samples range}.
 progress : bool or callable, optional
     See `propose`.
+groups : {'cid', 'patches'}, default {groups}
+    Merge the groups of the seeds, or smooth patches of the surface, which need none.
+seeds : int, optional
+    The largest number of patches: {seeds range}. Default: {seeds}.
 
 Returns
 -------
@@ -232,8 +236,10 @@ MergeTree
 
 Raises
 ------
+ValueError
+    For a setting out of its range, and for `seeds` without patches.
 CIDError
-    Without seeds.
+    With 'cid' and without seeds.
 CIDCancelled
 
 Notes
@@ -256,8 +262,8 @@ merges : int, optional
 merging : {'hull', 'cid'}, optional
     Parts by the hull that comes out, without regard to the groups, or by the CID of
     the groups. Default: 'hull' with `count`, `error`, `robot_radius` or `viewpoints`,
-    and 'cid' with `threshold`, `merges` or `group_samples`, or none of all. 'cid'
-    with neither count, threshold nor merges cuts where the tree bends.
+    and 'cid' with `threshold`, `merges`, `groups`, `seeds` or `group_samples`, or none
+    of all. 'cid' with neither count, threshold nor merges cuts where the tree bends.
 viewpoints : array_like of shape (K, 3), optional
     Where the scan was taken from, metres: with 'hull', only what was seen from there
     counts as free.
@@ -277,7 +283,7 @@ ValueError
 TypeError
     For a keyword that is no setting; the message lists those that are.
 CIDError
-    With 'cid' and without seeds, and where nothing is left of the parts.
+    With 'cid' and neither seeds nor patches, and where nothing is left of the parts.
 CIDCancelled
 
 Notes

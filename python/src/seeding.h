@@ -24,6 +24,7 @@ namespace pcl_cid::python {
 class PartMaker : public CIDPartParameters {
 public:
   using CIDPartParameters::cutGroups;
+  using CIDPartParameters::cutPatches;
   using CIDPartParameters::fitParts;
   using CIDPartParameters::makeParts;
   using CIDPartParameters::partOfEachPoint;

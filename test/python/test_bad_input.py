@@ -67,7 +67,7 @@ def test_settings(settings, sentence):
 def test_unknown_settings():
     with pytest.raises(TypeError, match="Scan.. has no setting 'sample'; there are samples, "):
         pcl_cid.Scan(POINTS, sample=3)
-    with pytest.raises(TypeError, match="parts.. has no setting 'colour'; there are group_s"):
+    with pytest.raises(TypeError, match="parts.. has no setting 'colour'; there are groups, "):
         pcl_cid.Scan(POINTS).parts(count=1, colour=3)
 
 
@@ -126,6 +126,10 @@ def test_parts():
         ({"error": 0.1, "threshold": 1.0}, "need merging by hull"),
         ({"merging": "hull"}, "needs a count or an error"),
         ({"merging": "hull", "count": 3, "group_samples": 4}, "are about groups"),
+        ({"merging": "hull", "count": 3, "groups": "patches"}, "are about groups"),
+        ({"groups": "planes"}, "groups is 'planes'; it must be 'cid' or 'patches'"),
+        ({"threshold": 1.0, "seeds": 7}, "needs groups='patches'"),
+        ({"groups": "patches", "seeds": 0}, "the number of seeds is 0"),
         ({"merging": "best"}, "merging is 'best'; it must be 'cid' or 'hull'"),
         ({"count": 3, "max_vertices": 3}, "the largest number of vertices is 3"),
         ({"count": 3, "max_vertices": "few"}, "is 'few'"),
@@ -133,6 +137,8 @@ def test_parts():
     ]:
         with pytest.raises(ValueError, match=sentence):
             scan.parts(**settings)
+    with pytest.raises(ValueError, match="needs groups='patches'"):
+        scan.merge_tree(seeds=7)
     with pytest.raises(pcl_cid.CIDError, match="fewer than 500 points"):
         scan.parts(threshold=0.1, min_points=500)
 

@@ -93,6 +93,17 @@ def test_hulls_of_merged_groups(room, room_scan, run_tool, tmp_path):
     assert [step["height"] for step in steps] == tree.heights.tolist()
 
 
+def test_hulls_of_patches(room_scan, run_tool, tmp_path):
+    tool = run_tool("pcl_cid_abstract", ROOM, "hulls.obj", "--groups", "patches", "--seeds", "40",
+                    "--parts", "12", "--tree", "tree.json")
+    parts = room_scan.parts(count=12, groups="patches", seeds=40)
+    pcl_cid.save(tmp_path / "hulls.obj", parts)
+    assert_same_files(tool, tmp_path, "hulls.obj")
+    tree = room_scan.merge_tree(groups="patches", seeds=40)
+    steps = json.loads((tool / "tree.json").read_text())["steps"]
+    assert [step["height"] for step in steps] == tree.heights.tolist()
+
+
 @pytest.fixture
 def boxes(tmp_path):
     """A small scan as a file."""
