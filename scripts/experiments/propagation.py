@@ -33,7 +33,7 @@ def by_classes(done):
 
 def with_setting(done, **setting):
     """The pairs of the settings, without disturbances that are not named."""
-    varying = ("noise", "keep", *paper.RAW_SCANS)
+    varying = ("noise", "keep", "groups", *paper.RAW_SCANS)
     wanted = {name: None for name in varying} | setting
     return [pair for pair in done
             if all(pair[0].settings.get(name) == value for name, value in wanted.items())]

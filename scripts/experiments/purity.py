@@ -3,8 +3,8 @@
 # pcl_cid: Concavity-Induced Distance for point clouds
 # Copyright (c) 2026, pcl_cid contributors
 #
-# Purity against compactness (section V.B): the groups of K seeds, merged one pair after the
-# other. One run gives all of the merges; each of them gives a point of the curve.
+# Purity against compactness (section V.B): the groups of K seeds, or as many patches, merged one
+# pair after the other. One run gives all of the merges; each of them gives a point of the curve.
 
 import statistics
 
@@ -13,12 +13,19 @@ import numpy as np
 import paper
 from clouds import labelled, read_cloud
 from programs import perturbed, raw_scan_options, read_json
-from propagation import COLUMNS, column_of, with_setting
+from propagation import COLUMNS, with_setting
 from report import new_figure, save_picture, write_csv, write_markdown
 from work import Item
 
 # Where box plots are drawn. The paper's own T_b, the compactness of WCSeg, is not published.
 COMPACTNESS = (0.5, 1.0, 2.0)
+
+# What each column is; the groups are those of seeds where it does not name others.
+MERGED = COLUMNS | {"patches": COLUMNS["defaults"] | {"groups": "patches"}}
+
+
+def column_of(item):
+    return next(name for name, column in MERGED.items() if with_setting([(item, None)], **column))
 
 
 def contingency(groups, truth):
@@ -48,6 +55,7 @@ def merge_curve(item, programs, folder):
     programs.abstract(copy, folder / "hulls.ply", "--seeds", settings["seeds"],
                       "--parts", settings["seeds"], "--subsample", settings["subsample"],
                       "--random-seed", settings["start"], *raw_scan_options(settings),
+                      "--groups", settings.get("groups", "cid"),
                       "--labels", folder / "groups.pcd", "--tree", folder / "tree.json")
     truth = read_cloud(copy)
     groups = read_cloud(folder / "groups.pcd")["label"]
@@ -74,18 +82,18 @@ class Purity:
 
     def items(self, scan, options):
         return [Item(scan, "merge", {"seeds": options.seeds, "start": start, **column})
-                for column in COLUMNS.values() for start in range(options.starts)]
+                for column in MERGED.values() for start in range(options.starts)]
 
     def summarize(self, done, options, folder):
         write_csv(folder / "purity_scans.csv", [
             {"scan": item.scan.name, "setting": column_of(item), **paper.RAW_SCANS,
-             **item.settings, "parts": result["parts"] - merges,
+             "groups": "cid", **item.settings, "parts": result["parts"] - merges,
              "compactness": result["truth_instances"] / (result["parts"] - merges),
              "purity": purity}
             for item, result in done for merges, purity in enumerate(result["purity"])])
         boxes = {(setting, compactness): self.box(with_setting(done, **column), compactness)
-                 for setting, column in COLUMNS.items() for compactness in COMPACTNESS}
-        rows = [self.row(setting, boxes) for setting in COLUMNS]
+                 for setting, column in MERGED.items() for compactness in COMPACTNESS}
+        rows = [self.row(setting, boxes) for setting in MERGED]
         write_csv(folder / "purity.csv", rows)
         theirs = ", ".join(f"{name} {value}" for name, value in paper.MEDIAN_PURITY.items())
         scans = len({item.scan.name for item, _ in done})
@@ -126,7 +134,7 @@ class Purity:
                                   for setting, compactness in known])
         plots.set(xlabel="compactness, setting", ylabel="purity of a scan", ylim=(0, 1.02))
         plots.tick_params(axis="x", labelsize="small")
-        for i, (setting, column) in enumerate(COLUMNS.items()):
+        for i, (setting, column) in enumerate(MERGED.items()):
             results = [result for _, result in with_setting(done, **column)]
             self.draw_curves(curve, results, f"C{i}", setting)
         for axes in (plots, curve):

@@ -149,16 +149,17 @@ class OnADataset(unittest.TestCase):
 
     def test_purity_is_that_of_the_evaluation(self):
         parts = 12
-        rows = [row for row in rows_of(self.all / "purity_scans.csv")
-                if (row["setting"], row["parts"]) == ("defaults", str(parts))]
         work = Path(self.folder.name)
-        tool("pcl_cid_abstract", self.office, work / "hulls.ply", "--parts", parts, "--seeds",
-             SEEDS, "--threads", "1", "--labels", work / "parts.pcd")
-        tool("pcl_cid_evaluate", work / "parts.pcd", self.office, "--protocol", "s3dis",
-             "--report", work / "report.json")
-        report = json.loads((work / "report.json").read_text())
-        self.assertAlmostEqual(float(rows[0]["purity"]), report["purity"])
-        self.assertAlmostEqual(float(rows[0]["compactness"]), report["compactness"])
+        for setting, groups in (("defaults", "cid"), ("patches", "patches")):
+            row, = [row for row in rows_of(self.all / "purity_scans.csv")
+                    if (row["setting"], row["parts"]) == (setting, str(parts))]
+            tool("pcl_cid_abstract", self.office, work / "hulls.ply", "--parts", parts, "--seeds",
+                 SEEDS, "--groups", groups, "--threads", "1", "--labels", work / "parts.pcd")
+            tool("pcl_cid_evaluate", work / "parts.pcd", self.office, "--protocol", "s3dis",
+                 "--report", work / "report.json")
+            report = json.loads((work / "report.json").read_text())
+            self.assertAlmostEqual(float(row["purity"]), report["purity"])
+            self.assertAlmostEqual(float(row["compactness"]), report["compactness"])
 
     def stop_at(self, results, arguments, number):
         """Start a run, and stop it and all that it started after so many results."""
