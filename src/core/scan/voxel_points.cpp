@@ -1,0 +1,389 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * One point of each voxel of a scan, and which of them every other point follows.
+ */
+
+#include "base/parallel_for.h"
+#include "base/sentence.h"
+#include "voxel_table.h"
+
+#include <pcl_cid/core/voxel_points.h>
+#include <pcl_cid/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace pcl_cid {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t voxel_grain = 2048; // points that a thread takes at once
+
+/** The 26 voxels around one, each a bit of a mask. */
+std::vector<VoxelCell>
+voxelsAround()
+{
+  std::vector<VoxelCell> around;
+  for (std::int32_t x = -1; x <= 1; ++x)
+    for (std::int32_t y = -1; y <= 1; ++y)
+      for (std::int32_t z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0)
+          around.push_back({x, y, z});
+  return around;
+}
+
+/** Those around these: a point of its own voxel is nearer than any beyond them. */
+std::vector<VoxelCell>
+voxelsFartherOut()
+{
+  std::vector<VoxelCell> farther;
+  for (std::int32_t x = -2; x <= 2; ++x)
+    for (std::int32_t y = -2; y <= 2; ++y)
+      for (std::int32_t z = -2; z <= 2; ++z)
+        if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == 2)
+          farther.push_back({x, y, z});
+  return farther;
+}
+
+VoxelCell
+operator+(const VoxelCell& a, const VoxelCell& b)
+{
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/** How far it is from a point to the voxels around its own: at most that, whatever is
+ *  rounded. */
+class Gaps {
+public:
+  /** \param[in] corner of the point's voxel */
+  Gaps(const Eigen::Vector3d& p, const Eigen::Vector3d& corner, double size)
+  : size_(size)
+  {
+    // A coordinate, its voxel's corner and the quotient are each rounded once.
+    constexpr double slack = 16.0 * std::numeric_limits<double>::epsilon();
+    const Eigen::Array3d most = slack * (p.array().abs() + 3.0 * size);
+    below_ = ((p - corner).array() - most).max(0.0);
+    above_ = ((corner - p).array() + size - most).max(0.0);
+    size_ -= most.maxCoeff();
+  }
+
+  /** The square of the distance to the voxel at an offset. */
+  double
+  squared(const VoxelCell& offset) const
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::int32_t steps = offset[static_cast<std::size_t>(axis)];
+      const double gap = steps == 0  ? 0.0
+                         : steps < 0 ? below_[axis] - size_ * (steps + 1)
+                                     : above_[axis] + size_ * (steps - 1);
+      sum += gap * gap;
+    }
+    return sum * narrowing;
+  }
+
+  /** The square of the distance to all that is farther out than the voxels around. */
+  double
+  squaredFartherOut() const
+  {
+    const double nearest = size_ + std::min(below_.minCoeff(), above_.minCoeff());
+    return nearest * nearest * narrowing;
+  }
+
+private:
+  // A squared distance is off by less than this share, and so is a squared gap.
+  static constexpr double narrowing =
+      1.0 - 16.0 * std::numeric_limits<double>::epsilon();
+
+  double size_;
+  Eigen::Array3d below_;
+  Eigen::Array3d above_;
+};
+
+[[noreturn]] void
+refuseUnknownPoint()
+{
+  throw CIDException("a point is in a voxel that had none; the scan must be shown the "
+                     "same way each time");
+}
+
+} // namespace
+
+struct VoxelPoints::State {
+  State(double size, unsigned int threads) : size(size), threads(threadCount(threads))
+  {
+    require(setting::voxel.withoutZero(), size);
+  }
+
+  /** Where a voxel begins. */
+  Eigen::Vector3d
+  cornerOf(const VoxelCell& cell) const
+  {
+    return size * (*first + Eigen::Vector3d(cell[0], cell[1], cell[2]));
+  }
+
+  /** \param[in] p finite */
+  VoxelCell
+  cellOf(const Eigen::Vector3d& p) const
+  {
+    constexpr double farthest = 1 << 30;
+    constexpr double coarsest = 0x1p52; // beyond it, double has whole numbers alone
+    const Eigen::Vector3d whole = (p / size).array().floor();
+    const Eigen::Vector3d from_first = whole - *first;
+    if (!(from_first.cwiseAbs().maxCoeff() < farthest) ||
+        !(whole.cwiseAbs().maxCoeff() < coarsest))
+      throw CIDException(sentence("the size of a voxel is ",
+                                  size,
+                                  ", too small for these points: they are more than ",
+                                  farthest,
+                                  " voxels apart, or their coordinates too coarse to "
+                                  "tell voxels apart"));
+    return {static_cast<std::int32_t>(from_first.x()),
+            static_cast<std::int32_t>(from_first.y()),
+            static_cast<std::int32_t>(from_first.z())};
+  }
+
+  /** Call work(i) for each finite point, in parallel. */
+  template <typename Work>
+  void
+  forEachFinite(const Block& points, const Work& work) const
+  {
+    Progress untold{{}};
+    parallelFor(points.size(),
+                voxel_grain,
+                threads,
+                untold,
+                {},
+                [&](std::size_t begin, std::size_t end) {
+                  for (std::size_t i = begin; i < end; ++i)
+                    if (points[i].allFinite())
+                      work(i);
+                });
+  }
+
+  /** The voxel of each point, -1 for those that are not finite. */
+  pcl::Indices
+  knownVoxelsOf(const Block& points) const
+  {
+    pcl::Indices numbers(points.size(), -1);
+    forEachFinite(points, [&](std::size_t i) {
+      numbers[i] = first ? table.find(cellOf(points[i])) : -1;
+      if (numbers[i] < 0)
+        refuseUnknownPoint();
+    });
+    return numbers;
+  }
+
+  /** The chosen point that is nearest to p, in whose voxel one was chosen. */
+  pcl::index_t
+  nearest(const Eigen::Vector3d& p) const
+  {
+    static const std::vector<VoxelCell> around = voxelsAround();
+    static const std::vector<VoxelCell> farther_out = voxelsFartherOut();
+    const VoxelCell own = cellOf(p);
+    pcl::index_t best = table.find(own);
+    if (best < 0)
+      refuseUnknownPoint();
+    const std::uint32_t neighbors = taken_around[static_cast<std::size_t>(best)];
+    double least = (p - chosen[static_cast<std::size_t>(best)]).squaredNorm();
+    const Gaps gaps(p, cornerOf(own), size);
+    const auto compare = [&](pcl::index_t other) {
+      const double squared =
+          (p - chosen[static_cast<std::size_t>(other)]).squaredNorm();
+      if (squared < least || (squared == least && other < best)) {
+        least = squared;
+        best = other;
+      }
+    };
+    for (std::size_t k = 0; k < around.size(); ++k)
+      if ((neighbors >> k & 1u) != 0 && gaps.squared(around[k]) <= least)
+        compare(table.find(own + around[k]));
+    if (gaps.squaredFartherOut() > least)
+      return best;
+    for (const VoxelCell& offset : farther_out)
+      if (gaps.squared(offset) <= least)
+        if (const pcl::index_t other = table.find(own + offset); other >= 0)
+          compare(other);
+    return best;
+  }
+
+  /** Bring the voxels into the order of their points, with all that follow() needs. */
+  void
+  reorder(const pcl::Indices& order)
+  {
+    VoxelTable ordered;
+    ordered.reserve(order.size());
+    Block points;
+    points.reserve(order.size());
+    pcl::Indices indices;
+    indices.reserve(order.size());
+    for (const pcl::index_t number : order) {
+      const auto k = static_cast<std::size_t>(number);
+      ordered.add(table.cell(k));
+      points.push_back(chosen[k]);
+      indices.push_back(source[k]);
+    }
+    table = std::move(ordered);
+    chosen = std::move(points);
+    source = std::move(indices);
+  }
+
+  void
+  findTakenAround()
+  {
+    const std::vector<VoxelCell> around = voxelsAround();
+    taken_around.assign(table.size(), 0);
+    forEachFinite(chosen, [&](std::size_t voxel) {
+      for (std::size_t k = 0; k < around.size(); ++k)
+        if (table.find(table.cell(voxel) + around[k]) >= 0)
+          taken_around[voxel] |= 1u << k;
+    });
+  }
+
+  double size;
+  int threads;
+  std::optional<Eigen::Vector3d> first; ///< voxel of the first point, whole numbers
+  VoxelTable table;
+
+  // While points are chosen.
+  Block means;                ///< before, sums of what is beyond the corner
+  std::vector<double> counts; ///< of points; then the least squared distance to a mean
+  bool has_means = false;
+  pcl::index_t shown = 0; ///< points, the second time
+
+  Block chosen;
+  pcl::Indices source;
+  std::vector<std::uint32_t> taken_around;
+};
+
+VoxelPoints::VoxelPoints(double size, unsigned int threads)
+: state_(std::make_unique<State>(size, threads))
+{
+}
+
+VoxelPoints::~VoxelPoints() = default;
+VoxelPoints::VoxelPoints(VoxelPoints&& other) noexcept = default;
+VoxelPoints&
+VoxelPoints::operator=(VoxelPoints&& other) noexcept = default;
+
+void
+VoxelPoints::add(const Block& points)
+{
+  State& s = *state_;
+  if (!s.first)
+    for (const Eigen::Vector3d& p : points)
+      if (p.allFinite()) {
+        s.first = (p / s.size).array().floor();
+        break;
+      }
+  std::vector<VoxelCell> cells(points.size());
+  Block beyond_corner(points.size());
+  pcl::Indices numbers(points.size(), -1);
+  s.forEachFinite(points, [&](std::size_t i) {
+    cells[i] = s.cellOf(points[i]);
+    beyond_corner[i] = points[i] - s.cornerOf(cells[i]);
+    numbers[i] = s.table.find(cells[i]);
+  });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite())
+      continue;
+    const auto number =
+        static_cast<std::size_t>(numbers[i] < 0 ? s.table.add(cells[i]) : numbers[i]);
+    if (number == s.counts.size()) {
+      s.means.emplace_back(Eigen::Vector3d::Zero());
+      s.counts.push_back(0.0);
+    }
+    s.means[number] += beyond_corner[i];
+    s.counts[number] += 1.0;
+  }
+}
+
+pcl::Indices
+VoxelPoints::choose(const Block& points)
+{
+  State& s = *state_;
+  if (!s.has_means) {
+    for (std::size_t k = 0; k < s.means.size(); ++k)
+      s.means[k] = s.cornerOf(s.table.cell(k)) + s.means[k] / s.counts[k];
+    s.counts.assign(s.counts.size(), infinite);
+    s.chosen.resize(s.table.size());
+    s.source.assign(s.table.size(), -1);
+    s.has_means = true;
+  }
+  pcl::Indices numbers = s.knownVoxelsOf(points);
+  std::vector<double> squared(points.size());
+  s.forEachFinite(points, [&](std::size_t i) {
+    squared[i] =
+        (points[i] - s.means[static_cast<std::size_t>(numbers[i])]).squaredNorm();
+  });
+  for (std::size_t i = 0; i < points.size(); ++i, ++s.shown) {
+    if (numbers[i] < 0)
+      continue;
+    const auto k = static_cast<std::size_t>(numbers[i]);
+    if (!(squared[i] < s.counts[k])) {
+      numbers[i] = -1;
+      continue;
+    }
+    s.counts[k] = squared[i];
+    s.chosen[k] = points[i];
+    s.source[k] = s.shown;
+  }
+  return numbers;
+}
+
+pcl::Indices
+VoxelPoints::finish()
+{
+  State& s = *state_;
+  if (std::count(s.source.begin(), s.source.end(), -1) > 0 ||
+      s.source.size() != s.table.size())
+    throw CIDException("points of voxels are missing; the scan must be shown the same "
+                       "way each time");
+  s.means = {};
+  s.counts = {};
+  pcl::Indices order(s.table.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](pcl::index_t a, pcl::index_t b) {
+    return s.source[static_cast<std::size_t>(a)] <
+           s.source[static_cast<std::size_t>(b)];
+  });
+  s.reorder(order);
+  s.findTakenAround();
+  return order;
+}
+
+std::size_t
+VoxelPoints::size() const
+{
+  return state_->table.size();
+}
+
+const pcl::Indices&
+VoxelPoints::source() const
+{
+  return state_->source;
+}
+
+pcl::Indices
+VoxelPoints::follow(const Block& points) const
+{
+  const State& s = *state_;
+  pcl::Indices follows(points.size(), -1);
+  s.forEachFinite(points, [&](std::size_t i) {
+    if (!s.first)
+      refuseUnknownPoint();
+    follows[i] = s.nearest(points[i]);
+  });
+  return follows;
+}
+
+} // namespace pcl_cid
