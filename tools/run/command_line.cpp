@@ -212,10 +212,12 @@ CommandLine::choose(const std::string& name,
 }
 
 void
-CommandLine::exclude(const std::string& name, const std::vector<std::string>& others)
+CommandLine::exclude(const std::string& name,
+                     const std::vector<std::string>& others,
+                     const std::string& advice)
 {
   for (const std::string& other : others)
-    exclusive_.emplace_back(name, other);
+    exclusive_.push_back({name, other, advice});
 }
 
 void
@@ -334,10 +336,10 @@ void
 CommandLine::checkCombinations(
     const std::function<bool(const std::string&)>& is_given) const
 {
-  for (const auto& [name, other] : exclusive_)
+  for (const auto& [name, other, advice] : exclusive_)
     if (is_given(name) && is_given(other))
-      throw UsageError("--" + name + " and --" + other +
-                       " exclude each other; give one of them");
+      throw UsageError("--" + name + " and --" + other + " exclude each other; " +
+                       advice);
   for (const auto& [name, others] : requiring_) {
     if (!is_given(name) || std::any_of(others.begin(), others.end(), is_given))
       continue;

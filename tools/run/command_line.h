@@ -171,9 +171,12 @@ public:
     choose(row, target, note);
   }
 
-  /** \brief Refuse the first option together with any of the others. */
+  /** \brief Refuse the first option together with any of the others.
+   *  \param[in] advice ends the message */
   void
-  exclude(const std::string& name, const std::vector<std::string>& others);
+  exclude(const std::string& name,
+          const std::vector<std::string>& others,
+          const std::string& advice = "give one of them");
 
   /** \brief Refuse the first option where none of the others is given: it would have no
    *  effect. */
@@ -291,7 +294,13 @@ private:
   ToolDescription tool_;
   std::vector<std::function<void()>> set_paper_; ///< for each row that has `in_paper`
   std::vector<std::string> given_; ///< names of the options that are given
-  std::vector<std::pair<std::string, std::string>> exclusive_;
+  /** Two options that exclude each other, and what to say of it. */
+  struct Exclusion {
+    std::string name;
+    std::string other;
+    std::string advice;
+  };
+  std::vector<Exclusion> exclusive_;
   std::vector<std::pair<std::string, std::vector<std::string>>> requiring_;
 };
 

@@ -14,6 +14,7 @@
 #include "parameter.h"
 #include "words.h"
 
+#include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/scan_source.h>
 
 #include <algorithm>
@@ -28,6 +29,22 @@ fileFormats()
   std::vector<std::string> formats = withoutDots(scanExtensions());
   formats.erase(std::remove(formats.begin(), formats.end(), "gz"), formats.end());
   return formats;
+}
+
+/** The place of a point of the input among those that are worked on. What is no point
+ * of it at all, the library refuses. */
+int
+placeOf(int start_index, const CloudPoints& points)
+{
+  if (points.source.empty())
+    return start_index;
+  const pcl::index_t place = points.find(start_index);
+  if (place < 0)
+    throw CIDException(
+        "--start-index is " + std::to_string(start_index) +
+        ", which is no point of INPUT that a voxel kept; the nearest seed "
+        "that --propose lists may serve");
+  return place;
 }
 
 } // namespace
@@ -136,7 +153,7 @@ configureGrouping(const Settings& settings,
   parameters.setSubsample(settings.subsample);
   parameters.setRandomSeed(settings.random_seed);
   if (settings.start_index)
-    parameters.setStartIndex(*settings.start_index);
+    parameters.setStartIndex(placeOf(*settings.start_index, scan.points));
   configureForRawScan(settings.raw_scan, scan.cloud, parameters);
   parameters.setNumberOfThreads(execution.threads);
   parameters.setProgressCallback(execution.progress);

@@ -68,8 +68,9 @@ struct Settings {
   double scale = setting::scale.initial;
   OutputUnit output_unit = output_unit_setting.initial;
   double mesh_spacing = setting::mesh_spacing.initial;
-  std::string input_format; ///< an extension without its dot; empty: INPUT says it
-  std::string html;         ///< a picture of what was made
+  std::optional<double> voxel; ///< its size; empty: all points are worked on
+  std::string input_format;    ///< an extension without its dot; empty: INPUT says it
+  std::string html;            ///< a picture of what was made
   bool keep_zeros = false;
   bool quiet = false;
   ManyScans many;

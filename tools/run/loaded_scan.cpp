@@ -24,9 +24,6 @@ inputFiles(const Settings& settings)
   return scanFiles(settings.input, settings.class_table);
 }
 
-namespace {
-
-/** Say so when the scan is larger than buildings are: its unit may not be the metre. */
 void
 remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
 {
@@ -38,8 +35,6 @@ remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
                  " x " + shortNumber(extent.y()) + " x " + shortNumber(extent.z()) +
                  " metres; if it is in millimetres, give --scale 0.001");
 }
-
-} // namespace
 
 LoadedScan
 loadScan(const Settings& settings, Run& run)

@@ -38,6 +38,11 @@ inputFiles(const Settings& settings);
 LoadedScan
 loadScan(const Settings& settings, Run& run);
 
+/** \brief Say so when the scan is larger than buildings are: its unit may not be the
+ *  metre. */
+void
+remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run);
+
 /** \brief Refuse an output that cannot hold the cloud of a scan, before the work;
  *  remarks on it go to the user and the report.
  *  \throws CIDException */

@@ -12,6 +12,7 @@
 #include "run/loaded_scan.h"
 #include "run/run.h"
 #include "run/scan_batch.h"
+#include "run/voxel_scan.h"
 #include "run/words.h"
 #include "scannet_outputs.h"
 #include "segment_settings.h"
@@ -21,6 +22,7 @@
 #include <pcl_cid/io/scan_source.h>
 #include <pcl_cid/io/seed_table.h>
 
+#include <limits>
 #include <ostream>
 
 namespace {
@@ -94,6 +96,7 @@ propagateLabels(const SegmentSettings& settings,
   describeProposal(proposal, scan.points, run.report);
   run.report.seed_labels = labelsOfSeeds(settings, propagation, truth);
   result.group = proposal.group;
+  result.seeds = proposal.seeds;
 }
 
 void
@@ -116,11 +119,23 @@ describe(const SegmentSettings& settings,
   for (const Report::Parameter& each : labelParametersOf(settings))
     run.report.parameters.push_back(each);
   run.console.value("Coverage", shortNumber(run.report.coverage.back()) + " metres");
-  if (result.true_labels.empty())
+  if (result.true_labels.empty() || settings.voxel)
     return;
   run.report.score =
       scoreLabels(settings.labels_from, result.labels, result.true_labels, scan.points);
   printScore(*run.report.score, run.console);
+}
+
+void
+saveSeeds(const SegmentSettings& settings,
+          const SegmentedScan& result,
+          const LoadedScan& scan,
+          Run& run)
+{
+  if (!settings.propose.empty())
+    run.outputs.write(settings.propose, [&](std::ostream& stream) {
+      writeSeedTable(stream, result.seeds, scan.points);
+    });
 }
 
 void
@@ -132,10 +147,7 @@ save(const SegmentSettings& settings,
   run.begin("Saving " + settings.output);
   setLabels(result.labels, settings.label_type, scan.cloud);
   writeScan(settings.output, scan.cloud, settings.output_unit, run.outputs);
-  if (!settings.propose.empty())
-    run.outputs.write(settings.propose, [&](std::ostream& stream) {
-      writeSeedTable(stream, run.report.seeds, scan.points);
-    });
+  saveSeeds(settings, result, scan, run);
   writeScannetOutputs(settings.scannet, result, run.console, run.outputs);
   run.end(std::to_string(scan.cloud.size()) + " points", "save");
 }
@@ -166,6 +178,98 @@ segment(const SegmentSettings& settings)
   return figuresOf(run.report);
 }
 
+/** A truth that is no label shows before the work. */
+void
+checkTruth(const SegmentSettings& settings, const LabelledCloud& block)
+{
+  if (!settings.labels_from.empty())
+    labelsOf(block, settings.labels_from, pointsOf(block, {true, {}}));
+}
+
+/** What the points of the file say, where those of the voxels were worked on. */
+class FollowedPoints {
+public:
+  FollowedPoints(const SegmentSettings& settings,
+                 const SegmentedScan& voxels,
+                 Report& report)
+  : settings_(settings), voxels_(voxels), report_(report)
+  {
+    report.group_sizes.assign(report.group_sizes.size(), 0);
+    report.points_grouped = 0;
+    if (!settings.labels_from.empty())
+      report.score = LabelScore{settings.labels_from};
+  }
+
+  void
+  take(const LabelledCloud& block,
+       const pcl::Indices& follows,
+       const std::vector<std::uint32_t>& labels)
+  {
+    for (const pcl::index_t point : follows) {
+      const pcl::index_t group =
+          point < 0 ? -1 : voxels_.group[static_cast<std::size_t>(point)];
+      if (group < 0)
+        continue;
+      ++report_.group_sizes[static_cast<std::size_t>(group)];
+      ++report_.points_grouped;
+    }
+    if (report_.score)
+      addScore(block, follows, labels);
+  }
+
+private:
+  void
+  addScore(const LabelledCloud& block,
+           const pcl::Indices& follows,
+           const std::vector<std::uint32_t>& labels)
+  {
+    CloudPoints points = pointsOf(block, {true, {}});
+    for (std::size_t i = 0; i < follows.size(); ++i)
+      if (follows[i] < 0) // did not return
+        (*points.points)[i].x = std::numeric_limits<float>::quiet_NaN();
+    const std::string& field = settings_.labels_from;
+    const LabelScore score =
+        scoreLabels(field, labels, labelsOf(block, field, points), points);
+    report_.score->points += score.points;
+    report_.score->right += score.right;
+    report_.score->labelled_points += score.labelled_points;
+    report_.score->right_labelled += score.right_labelled;
+  }
+
+  const SegmentSettings& settings_;
+  const SegmentedScan& voxels_;
+  Report& report_;
+};
+
+/** Work on one point of each voxel, and let the others follow. */
+ScanFigures
+segmentVoxels(const SegmentSettings& settings)
+{
+  Run run(segment_tool, settings.quiet, inputsOf(settings));
+  announceOutputs(settings, run.outputs);
+  VoxelScan voxels(
+      settings, [&](const LabelledCloud& block) { checkTruth(settings, block); }, run);
+  const LoadedScan& scan = voxels.scan();
+  SegmentedScan result = withTruth(settings, scan, run);
+  propagateLabels(settings, scan, run, result);
+  describe(settings, scan, result, run);
+  voxels.describe(settings, run.report);
+
+  run.begin("Saving " + settings.output);
+  FollowedPoints points(settings, result, run.report);
+  voxels.writeLabels(
+      settings,
+      result.labels,
+      [&](const auto&... of_block) { points.take(of_block...); },
+      run);
+  saveSeeds(settings, result, scan, run);
+  run.end(std::to_string(run.report.points_in) + " points", "save");
+  if (run.report.score)
+    printScore(*run.report.score, run.console);
+  run.finish(settings.report);
+  return figuresOf(run.report);
+}
+
 /** All that is done with one scan. */
 ScanFigures
 segmentScan(const SegmentSettings& settings)
@@ -174,7 +278,7 @@ segmentScan(const SegmentSettings& settings)
     return writeHeatMap(segment_tool, settings, *settings.cid_from);
   if (!settings.session.empty())
     return writeSessionLabels(segment_tool, settings);
-  return segment(settings);
+  return settings.voxel ? segmentVoxels(settings) : segment(settings);
 }
 
 } // namespace

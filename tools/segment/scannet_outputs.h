@@ -52,6 +52,7 @@ struct SegmentedScan {
   std::vector<std::uint32_t> labels;
   std::vector<NamedInstance> instances; ///< what is known of labels
   pcl::Indices group;                   ///< -1 for none
+  pcl::Indices seeds;
   /** The labels and classes of INPUT; empty when nothing asks for them. */
   std::vector<std::uint32_t> true_labels;
   std::vector<std::uint32_t> true_classes;

@@ -14,6 +14,7 @@
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
+#include "run/voxel_scan.h"
 #include "run/words.h"
 
 #include <pcl_cid/exceptions.h>
@@ -88,6 +89,15 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
   formats.insert(formats.begin(), settings.many.format = same_format);
   declareManyScans(settings.many, "cloud-format", formats, line);
   declareRunOptions(settings, line);
+  declareVoxelOption(settings.voxel,
+                     {"session",
+                      "cid-from",
+                      "superpoints",
+                      "scannet-submission",
+                      "html",
+                      "class-table",
+                      optionName(setting::mesh_spacing)},
+                     line);
   line.exclude("labels",
                {"labels-from",
                 "propose",
@@ -98,6 +108,7 @@ readCommandLine(int argc, const char* const* argv, SegmentSettings& settings)
   if (!parseScans(argc, argv, labelledOutput(), nameOptions(settings), settings, line))
     return false;
   checkScannetOptions(settings.scannet, settings.labels_from);
+  checkVoxelOption(settings);
   return true;
 }
 

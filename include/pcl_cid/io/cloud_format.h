@@ -9,9 +9,11 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,42 @@ operator!=(const CloudLayout& a, const CloudLayout& b)
   return !(a == b);
 }
 
+/** \brief The points of a file that is read block by block, as often as need be. */
+class CloudRows {
+public:
+  virtual ~CloudRows() = default;
+
+  /** \brief Go to the first point. */
+  virtual void
+  begin() = 0;
+
+  /** \brief Read the next points; there are so many.
+   *  \param[out] points as in LabelledCloud::fields
+   *  \throws CIDException that names the file and says what is wrong with it */
+  virtual void
+  read(std::size_t count, std::uint8_t* points) = 0;
+
+  /** \brief After the last point: refuse what must not follow it.
+   *  \throws CIDException */
+  virtual void
+  end() = 0;
+};
+
+/** \brief How a file is written block by block: the head, the points of each block, the
+ *  tail. The bytes are those of CloudFormat::write. */
+struct CloudPieces {
+  /** Writes a piece. Head and tail get a cloud whose data are not all there, rows one
+   *  with some of its points. */
+  using Write = std::function<void(
+      std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)>;
+
+  /** The encodings that can be written like this; none: the format cannot. */
+  std::vector<CloudEncoding> encodings;
+  Write head;
+  Write rows;
+  Write tail; ///< empty: there is none
+};
+
 /** \brief A file format of clouds. */
 struct CloudFormat {
   /** What users call it: "PCD". */
@@ -72,6 +110,18 @@ struct CloudFormat {
    *  \throws CIDException that names the file and says what is wrong with it */
   std::function<void(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)>
       read;
+  /** Which of its files can be read block by block: "a PCD that is not compressed";
+   *  empty: none. */
+  std::string streams = {};
+  /** Begin to read a file block by block; empty for a format that cannot.
+   *  \param[in] stream at the beginning of the file; it outlives the result
+   *  \param[in] size of the file in bytes, at least 1
+   *  \param[in,out] head as in \a read, but its data stay empty; it outlives the result
+   *  \return null for a file that cannot be read like this
+   *  \throws CIDException as \a read */
+  std::function<std::unique_ptr<CloudRows>(
+      std::istream& stream, std::uint64_t size, LabelledCloud& head)>
+      stream = {};
   /** Refuse a cloud that the format cannot hold; empty for one that holds all. Called
    *  before the work, and before \a write.
    *  \param[in] remark called with one sentence for each thing that is written in
@@ -83,6 +133,8 @@ struct CloudFormat {
   std::function<void(
       std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)>
       write;
+  /** How it is written block by block, where it can be. */
+  CloudPieces pieces = {};
 };
 
 } // namespace pcl_cid

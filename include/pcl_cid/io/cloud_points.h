@@ -22,11 +22,12 @@
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/types.h>
 
 namespace pcl_cid {
 
 /** \brief Coordinates of a cloud, in a local frame. */
-struct CloudPoints {
+struct PCL_CID_IO_EXPORT CloudPoints {
   /** One for each point of the cloud, in its order, with its width, height and pose;
    *  those that are not finite, too. */
   pcl::PointCloud<pcl::PointXYZ>::Ptr points;
@@ -43,6 +44,20 @@ struct CloudPoints {
   /** How long the cloud is along each axis without a twentieth of its points at either
    *  end, from a sample; infinite where no point of that is finite. */
   Eigen::Vector3d extent = Eigen::Vector3d::Zero();
+  /** Index in the file of each point, ascending, where these are only some of its
+   * points (see VoxelCloud); empty: they are all of them. */
+  pcl::Indices source = {};
+
+  /** \brief The index in the file of a point. */
+  pcl::index_t
+  indexInFile(pcl::index_t point) const
+  {
+    return source.empty() ? point : source[static_cast<std::size_t>(point)];
+  }
+
+  /** \brief The point with an index in the file, -1 when it is none of these. */
+  pcl::index_t
+  find(std::int64_t index_in_file) const;
 };
 
 /** \brief The coordinates of a cloud as they stand in its file, times its scale:

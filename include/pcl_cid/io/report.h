@@ -109,6 +109,8 @@ struct Report {
   std::size_t points_in = 0;
   std::size_t points_finite = 0;
   std::size_t points_grouped = 0;
+  /** Voxels, one point of each of which was worked on; empty when all points were. */
+  std::optional<std::size_t> voxels;
   /** What was found out about the density. */
   std::optional<DensityDecision> density;
   /** The blind spot that was filled, its center in the frame of the file. */

@@ -26,7 +26,7 @@ struct CloudPoints;
 
 /** \brief Seeds with their labels; see CIDLabelPropagation::setSeeds(). */
 struct SeedTable {
-  /** Indices of points. */
+  /** Points, by their place in CloudPoints::points. */
   pcl::Indices seeds;
   /** One for each seed; 0 means "asked, and it is none". */
   std::vector<std::uint32_t> labels;
@@ -35,8 +35,8 @@ struct SeedTable {
 };
 
 /** \brief Write a table for an annotator: columns `index,x,y,z,label`, a row for each
- *  seed in order.
- *  \param[in] seeds indices of finite points
+ *  seed in order; the index is that in the file.
+ *  \param[in] seeds finite points, by their place in CloudPoints::points
  *  \param[in] points coordinates of the cloud; written in the frame and the unit of its
  *  file (CloudPoints::metres_per_unit), with as many digits as they have
  *  \param[in] labels one for each seed; an empty one stands for "not asked", and none

@@ -11,6 +11,7 @@
 #include "columns/column_formats.h"
 #include "fields/field_values.h"
 #include "fields/required_fields.h"
+#include "file_format.h"
 #include "foreign_formats.h"
 #include "pcd/pcd_format.h"
 #include "ply/ply_format.h"
@@ -44,13 +45,6 @@ hasEncoding(const CloudFormat& format, CloudEncoding encoding)
   return std::find(known.begin(), known.end(), encoding) != known.end();
 }
 
-/** "a PCD or PLY file is needed". */
-std::string
-neededFile()
-{
-  return "a " + listed(readableCloudNames()) + " file is needed";
-}
-
 /** "is neither a PCD nor a PLY file". */
 std::string
 noneOfAll()
@@ -78,8 +72,8 @@ givenFormat(const std::string& extension, const std::string& path)
   return *format;
 }
 
-/** By the content where a format can tell by that, else by the extension.
- *  \param[in] given an extension that decides; may be empty */
+} // namespace
+
 const CloudFormat&
 formatOf(const OpenedFile& file, const std::string& path, const std::string& given)
 {
@@ -101,17 +95,15 @@ formatOf(const OpenedFile& file, const std::string& path, const std::string& giv
                      " by its content and its name; say which it is (--input-format)");
 }
 
-/** Whatever a reader has left undone shows here, not when the cloud is used. */
 void
-requireWhole(const LabelledCloud& cloud)
+requireWhole(const LabelledCloud& cloud, std::size_t points)
 {
   std::size_t bytes = 0;
   for (const pcl::PCLPointField& field : cloud.fields.fields)
     bytes += field.count * sizeOf(field.datatype);
   if (cloud.size() == 0)
     throw CIDException(cloud.name + ": holds no points; at least 1 is needed");
-  if (bytes != cloud.fields.point_step ||
-      cloud.fields.data.size() != bytes * cloud.size())
+  if (bytes != cloud.fields.point_step || cloud.fields.data.size() != bytes * points)
     throw CIDException(sentence(cloud.name,
                                 ": was read as ",
                                 countOf(cloud.size(), "point"),
@@ -124,6 +116,8 @@ requireWhole(const LabelledCloud& cloud)
   requireDistinctFields(cloud);
   requireCoordinates(cloud);
 }
+
+namespace {
 
 /** Names that every format can hold, and that can be told apart. */
 void
@@ -171,7 +165,8 @@ writableFormat(const std::string& path, const CloudLayout& source)
   return *format;
 }
 
-/** A pose that is none, as some drivers write it, is as good as no pose. */
+} // namespace
+
 void
 mendPose(LabelledCloud& cloud)
 {
@@ -184,7 +179,11 @@ mendPose(LabelledCloud& cloud)
       "its viewpoint is no pose; it is taken for (0, 0, 0), not turned");
 }
 
-} // namespace
+std::string
+neededFile()
+{
+  return "a " + listed(readableCloudNames()) + " file is needed";
+}
 
 LabelledCloud
 readCloud(const std::string& path, const std::string& extension)
@@ -193,7 +192,7 @@ readCloud(const std::string& path, const std::string& extension)
   LabelledCloud cloud;
   cloud.name = path;
   formatOf(file, path, extension).read(*file.stream, file.size, cloud);
-  requireWhole(cloud);
+  requireWhole(cloud, cloud.size());
   mendPose(cloud);
   return cloud;
 }

@@ -17,9 +17,12 @@
 
 #include <pcl_cid/io/labelled_cloud.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -52,35 +55,41 @@ nuScenes()
   return layout;
 }
 
-float
-floatAt(const std::vector<std::uint8_t>& data, std::size_t number)
-{
-  return loadValue<float>(data.data() + number * sizeof(float));
-}
-
 /** Rings count from 0: no other value of a scan is a small whole number everywhere. */
 bool
-haveRings(const std::vector<std::uint8_t>& data)
+isRing(float ring)
 {
   constexpr float most_rings = 256.0f;
-  const std::size_t step = nuScenes().names.size();
-  for (std::size_t i = step - 1; i < data.size() / sizeof(float); i += step)
-    if (const float ring = floatAt(data, i);
-        !(ring >= 0.0f && ring < most_rings) || std::floor(ring) != ring)
-      return false;
+  return ring >= 0.0f && ring < most_rings && std::floor(ring) == ring;
+}
+
+/** Whether the last of each point's numbers is a ring, as far as the file was read. */
+bool
+haveRings(std::istream& stream, std::uint64_t size)
+{
+  const std::size_t step = nuScenes().bytes();
+  std::vector<std::uint8_t> points(step * 4096);
+  for (std::uint64_t read = 0; read < size; read += points.size()) {
+    points.resize(std::min<std::uint64_t>(points.size(), size - read));
+    stream.read(reinterpret_cast<char*>(points.data()),
+                static_cast<std::streamsize>(points.size()));
+    for (std::size_t end = step; stream && end <= points.size(); end += step)
+      if (!isRing(loadValue<float>(points.data() + end - sizeof(float))))
+        return false;
+  }
   return true;
 }
 
 const LidarLayout&
-lidarLayoutOf(const std::vector<std::uint8_t>& data, const std::string& name)
+lidarLayoutOf(std::istream& stream, std::uint64_t size, const std::string& name)
 {
-  if (data.size() % nuScenes().bytes() == 0 && haveRings(data))
+  if (size % nuScenes().bytes() == 0 && haveRings(stream, size))
     return nuScenes();
-  if (data.size() % kitti().bytes() == 0)
+  if (size % kitti().bytes() == 0)
     return kitti();
   throw CIDException(sentence(name,
                               ": has ",
-                              countOf(data.size(), "byte"),
+                              countOf(size, "byte"),
                               ", which is neither a scan of KITTI (",
                               kitti().bytes(),
                               " bytes a point) nor one of nuScenes (",
@@ -88,31 +97,69 @@ lidarLayoutOf(const std::vector<std::uint8_t>& data, const std::string& name)
                               ")"));
 }
 
+/** Reads one file, all at once or block by block. */
+class LidarReading : public CloudRows {
+public:
+  LidarReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
+  : stream_(stream), cloud_(cloud)
+  {
+    const LidarLayout& layout = lidarLayoutOf(stream, size, cloud.name);
+    const std::uint64_t points = size / layout.bytes();
+    if (points > most_points)
+      throw CIDException(sentence(cloud.name,
+                                  ": holds ",
+                                  points,
+                                  " points; at most ",
+                                  most_points,
+                                  " are possible"));
+    cloud.layout = {"KITTI", CloudEncoding::binary};
+    for (const std::string& name : layout.names)
+      addField(name, pcl::PCLPointField::FLOAT32, 1, cloud.fields);
+    cloud.fields.width = static_cast<std::uint32_t>(points);
+    cloud.fields.height = 1;
+    cloud.fields.row_step = cloud.fields.point_step * cloud.fields.width;
+    cloud.remarks.push_back(sentence(
+        "is read as a scan of ", layout.dataset, ": ", listed(layout.names, "and")));
+  }
+
+  void
+  begin() override
+  {
+    stream_.clear();
+    stream_.seekg(0);
+  }
+
+  void
+  read(std::size_t count, std::uint8_t* points) override
+  {
+    if (!stream_.read(reinterpret_cast<char*>(points),
+                      static_cast<std::streamsize>(count * cloud_.fields.point_step)))
+      throw CIDException(cloud_.name + ": cannot be read to its end");
+  }
+
+  void
+  end() override
+  {
+  }
+
+private:
+  std::istream& stream_;
+  LabelledCloud& cloud_;
+};
+
 void
 readLidar(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 {
-  std::vector<std::uint8_t>& data = cloud.fields.data;
-  data.resize(size);
-  if (!stream.read(reinterpret_cast<char*>(data.data()),
-                   static_cast<std::streamsize>(size)))
-    throw CIDException(cloud.name + ": cannot be read to its end");
-  const LidarLayout& layout = lidarLayoutOf(data, cloud.name);
-  const std::uint64_t points = size / layout.bytes();
-  if (points > most_points)
-    throw CIDException(sentence(cloud.name,
-                                ": holds ",
-                                points,
-                                " points; at most ",
-                                most_points,
-                                " are possible"));
-  cloud.layout = {"KITTI", CloudEncoding::binary};
-  for (const std::string& name : layout.names)
-    addField(name, pcl::PCLPointField::FLOAT32, 1, cloud.fields);
-  cloud.fields.width = static_cast<std::uint32_t>(points);
-  cloud.fields.height = 1;
-  cloud.fields.row_step = cloud.fields.point_step * cloud.fields.width;
-  cloud.remarks.push_back(sentence(
-      "is read as a scan of ", layout.dataset, ": ", listed(layout.names, "and")));
+  LidarReading reading(stream, size, cloud);
+  cloud.fields.data.resize(size);
+  reading.begin();
+  reading.read(cloud.size(), cloud.fields.data.data());
+}
+
+std::unique_ptr<CloudRows>
+streamLidar(std::istream& stream, std::uint64_t size, LabelledCloud& head)
+{
+  return std::make_unique<LidarReading>(stream, size, head);
 }
 
 } // namespace
@@ -125,6 +172,8 @@ lidarFormat()
   format.extensions = {".bin"};
   format.is_of_scans_only = false; // networks are stored in such files, too
   format.read = readLidar;
+  format.streams = "a scan of KITTI or nuScenes";
+  format.stream = streamLidar;
   return format;
 }
 

@@ -11,6 +11,7 @@
 #include "bulk.h"
 #include "field_exchange.h"
 #include "field_values.h"
+#include "point_survey.h"
 #include "required_fields.h"
 
 #include <pcl_cid/io/cloud_points.h>
@@ -27,9 +28,6 @@
 
 namespace pcl_cid {
 namespace {
-
-/** Farther out, even the coordinates of double are too coarse for hulls. */
-constexpr double largest_coordinate = 1e15;
 
 /** The type of a coordinate whose values do not all fit into float. */
 bool
@@ -58,7 +56,7 @@ public:
   : cloud_(cloud)
   , coordinates_(cloud)
   , datatype_(coordinates_.datatype())
-  , sensor_(cloud.scale * cloud.sensor_origin.head<3>().cast<double>())
+  , survey_(cloud, options)
   , options_(options)
   {
   }
@@ -66,15 +64,13 @@ public:
   CloudPoints
   read()
   {
-    look();
-    if (!options_.keep_zeros) {
-      dropNoReturns(Eigen::Vector3d::Zero(), at_zero_);
-      dropNoReturns(sensor_, at_sensor_);
-    }
+    for (std::size_t i = 0; i < cloud_.size(); ++i)
+      survey_.take(coordinates_[i]);
+    survey_.decide();
     CloudPoints result;
     result.metres_per_unit = cloud_.scale;
-    const bool is_coarse = step(largest_) > largest_step;
-    if (finite_ > 0 && (is_coarse || exceedsFloat(datatype_))) {
+    const bool is_coarse = step(survey_.largest()) > largest_step;
+    if (survey_.finite() > 0 && (is_coarse || exceedsFloat(datatype_))) {
       const Eigen::AlignedBox3d bulk = boxOfBulk();
       remarkOnStep(bulk);
       if (exceedsFloat(datatype_))
@@ -100,68 +96,7 @@ private:
   Eigen::Vector3d
   point(std::size_t i) const
   {
-    const Eigen::Vector3d p = coordinates_[i];
-    for (const Eigen::Vector3d& place : left_out_)
-      if (p == place)
-        return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    return p;
-  }
-
-  /** Once over all points, which may be many. */
-  void
-  look()
-  {
-    for (std::size_t i = 0; i < cloud_.size(); ++i) {
-      const Eigen::Vector3d p = coordinates_[i];
-      const double size = std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-      if (size > largest_coordinate || !(size >= 0.0))
-        requireInRange(i, p);
-      if (!p.allFinite())
-        continue;
-      ++finite_;
-      largest_ = std::max(largest_, size);
-      at_zero_ += size == 0.0 ? 1 : 0;
-      at_sensor_ += p == sensor_ ? 1 : 0;
-    }
-  }
-
-  void
-  requireInRange(std::size_t point, const Eigen::Vector3d& p) const
-  {
-    for (int axis = 0; axis < 3; ++axis)
-      if (const double value = p[axis];
-          std::isfinite(value) && std::abs(value) > largest_coordinate)
-        throw CIDException(sentence(cloud_.name,
-                                    ": the ",
-                                    "xyz"[axis],
-                                    " of point ",
-                                    point,
-                                    " is ",
-                                    value,
-                                    "; coordinates go to 1e15, and a point that is "
-                                    "none has NaN"));
-  }
-
-  /** Drivers write what did not return as a point at the sensor.
-   *  \param[in] count of points exactly at the place */
-  void
-  dropNoReturns(const Eigen::Vector3d& place, std::size_t count)
-  {
-    constexpr std::size_t many = 10;
-    if (count < many || count == finite_)
-      return;
-    left_out_.push_back(place);
-    finite_ -= count;
-    at_sensor_ -= place == sensor_ ? count : 0;
-    remark(sentence(count,
-                    " points lie exactly at (",
-                    place.x(),
-                    ", ",
-                    place.y(),
-                    ", ",
-                    place.z(),
-                    "), where sensors put what did not return; they are left out "
-                    "(keep-zeros keeps them)"));
+    return survey_.kept(coordinates_[i]);
   }
 
   /** The bounding box without points that are far from all others: one at (0, 0, 0), or
@@ -232,28 +167,37 @@ private:
     for (std::size_t i = 0; i < cloud_.size(); ++i)
       (*result.points)[i].getVector3fMap() =
           result.frame.toLocal(point(i)).cast<float>();
-    result.finite = finite_;
+    result.finite = survey_.finite();
     result.points->width = cloud_.fields.width;
     result.points->height = cloud_.fields.height;
     result.points->is_dense = result.finite == cloud_.size();
     result.points->sensor_origin_.head<3>() =
-        result.frame.toLocal(sensor_).cast<float>();
+        result.frame.toLocal(survey_.sensor()).cast<float>();
     result.points->sensor_orientation_ = cloud_.sensor_orientation;
   }
 
   const LabelledCloud& cloud_;
   const FileCoordinates coordinates_;
   const std::uint8_t datatype_;
-  const Eigen::Vector3d sensor_;
+  PointSurvey survey_;
   const PointOptions& options_;
-  std::vector<Eigen::Vector3d> left_out_; ///< places of what did not return
-  std::size_t finite_ = 0;
-  std::size_t at_zero_ = 0;
-  std::size_t at_sensor_ = 0;
-  double largest_ = 0.0; ///< of all finite coordinates
 };
 
 } // namespace
+
+pcl::index_t
+CloudPoints::find(std::int64_t index_in_file) const
+{
+  if (source.empty()) {
+    const bool is_there = index_in_file >= 0 &&
+                          static_cast<std::uint64_t>(index_in_file) < points->size();
+    return is_there ? static_cast<pcl::index_t>(index_in_file) : -1;
+  }
+  const auto found = std::lower_bound(source.begin(), source.end(), index_in_file);
+  if (found == source.end() || *found != index_in_file)
+    return -1;
+  return static_cast<pcl::index_t>(found - source.begin());
+}
 
 FileCoordinates::FileCoordinates(const LabelledCloud& cloud) : cloud_(&cloud)
 {

@@ -46,7 +46,10 @@ pcdFormat()
       CloudEncoding::ascii, CloudEncoding::binary, CloudEncoding::compressed};
   format.recognizes = recognizesPCD;
   format.read = readPCD;
+  format.streams = "a PCD that is not compressed";
+  format.stream = streamPCD;
   format.write = writePCD;
+  format.pieces = pcdPieces();
   return format;
 }
 

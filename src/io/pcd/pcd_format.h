@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <memory>
 
 namespace pcl_cid {
 
@@ -23,6 +24,14 @@ pcdFormat();
 /** \brief Read a PCD; see CloudFormat::read. */
 void
 readPCD(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
+
+/** \brief Read a PCD block by block; see CloudFormat::stream. */
+std::unique_ptr<CloudRows>
+streamPCD(std::istream& stream, std::uint64_t size, LabelledCloud& head);
+
+/** \brief Write a PCD block by block. */
+CloudPieces
+pcdPieces();
 
 /** \brief Write a PCD; see CloudFormat::write. */
 void

@@ -19,6 +19,7 @@
 #include <array>
 #include <cstring>
 #include <istream>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -27,30 +28,81 @@
 namespace pcl_cid {
 namespace {
 
-/** Reads one file; each member function is one part of it. */
-class PCDReading {
+/** Reads one file, all at once or block by block. */
+class PCDReading : public CloudRows {
 public:
   PCDReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
   : stream_(stream)
   , header_(readPCDHeader(stream, cloud.name))
   , body_size_(bytesLeft(stream, size))
+  , body_(stream.tellg())
   , line_(header_.lines)
   , cloud_(cloud)
   {
+    makeFields();
+    for (const PCDColumn& column : header_.columns)
+      file_step_ += column.bytes();
   }
 
   void
-  read()
+  readAll()
   {
-    makeFields();
-    switch (header_.encoding) {
-    case CloudEncoding::ascii:
-      return readAscii();
-    case CloudEncoding::binary:
-      return readBinary();
-    case CloudEncoding::compressed:
+    if (!hasRows())
       return readCompressed();
-    }
+    requireBytes();
+    makeRoom();
+    read(cloud_.size(), cloud_.fields.data.data());
+    end();
+  }
+
+  /** Whether its points stand one after the other. */
+  bool
+  hasRows() const
+  {
+    return header_.encoding != CloudEncoding::compressed;
+  }
+
+  /** Refuse a file that is too short, before memory is taken for its points. */
+  void
+  requireBytes() const
+  {
+    // In ascii at least a digit and a separator for each value; the last needs no
+    // separator.
+    const std::uint64_t least =
+        isAscii() ? 2 * valuesOfPoint() * cloud_.size() - 1 : bytesOfRows();
+    if (body_size_ < least)
+      failTruncated(least);
+  }
+
+  void
+  begin() override
+  {
+    stream_.clear();
+    stream_.seekg(body_);
+    line_ = header_.lines;
+    points_read_ = 0;
+  }
+
+  void
+  read(std::size_t count, std::uint8_t* points) override
+  {
+    if (isAscii())
+      readAscii(count, points);
+    else
+      readBinary(count, points);
+  }
+
+  void
+  end() override
+  {
+    if (!isAscii())
+      passPadding(bytesOfRows());
+    else if (nextLine())
+      fail("line ",
+           line_,
+           ": more points than the ",
+           cloud_.size(),
+           " that the header says");
   }
 
 private:
@@ -98,32 +150,44 @@ private:
     return values;
   }
 
-  void
-  readAscii()
+  bool
+  isAscii() const
   {
-    // At least a digit and a separator for each value; the last needs no separator.
-    const std::uint64_t least = 2 * valuesOfPoint() * cloud_.size() - 1;
-    if (body_size_ < least)
-      failTruncated(least);
-    makeRoom();
-    std::uint8_t* point = cloud_.fields.data.data();
-    std::string line;
-    std::size_t read = 0;
-    while (std::getline(stream_, line, header_.line_end)) {
+    return header_.encoding == CloudEncoding::ascii;
+  }
+
+  /** Of all points of a binary file. */
+  std::uint64_t
+  bytesOfRows() const
+  {
+    return static_cast<std::uint64_t>(file_step_) * cloud_.size();
+  }
+
+  /** \return whether there is one more line that is not blank */
+  bool
+  nextLine()
+  {
+    while (std::getline(stream_, text_, header_.line_end)) {
       ++line_;
-      if (line.find_first_not_of(usual_blanks) == std::string::npos)
-        continue;
-      if (read == cloud_.size())
-        fail("line ", line_, ": more points than the ", read, " that the header says");
-      readPoint(line, point);
-      point += cloud_.fields.point_step;
-      ++read;
+      if (text_.find_first_not_of(usual_blanks) != std::string::npos)
+        return true;
     }
-    if (read < cloud_.size())
-      fail("is truncated: the header says ",
-           countOf(cloud_.size(), "point"),
-           ", but there are ",
-           read);
+    return false;
+  }
+
+  void
+  readAscii(std::size_t count, std::uint8_t* point)
+  {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!nextLine())
+        fail("is truncated: the header says ",
+             countOf(cloud_.size(), "point"),
+             ", but there are ",
+             points_read_);
+      readPoint(text_, point);
+      point += cloud_.fields.point_step;
+      ++points_read_;
+    }
   }
 
   void
@@ -159,34 +223,23 @@ private:
   }
 
   void
-  readBinary()
+  readBinary(std::size_t count, std::uint8_t* point)
   {
-    std::size_t file_step = 0;
-    for (const PCDColumn& column : header_.columns)
-      file_step += column.bytes();
-    const std::uint64_t needed = static_cast<std::uint64_t>(file_step) * cloud_.size();
-    if (body_size_ < needed)
-      failTruncated(needed);
-    makeRoom();
-    if (file_step == cloud_.fields.point_step) { // no padding: as it is in the file
-      readBytes(reinterpret_cast<char*>(cloud_.fields.data.data()), needed);
-      return passPadding(needed);
-    }
+    if (file_step_ == cloud_.fields.point_step) // no padding: as it is in the file
+      return readBytes(reinterpret_cast<char*>(point), count * file_step_);
     constexpr std::size_t block_bytes = 65536; // the system is asked once for many rows
-    const std::size_t block = std::max<std::size_t>(1, block_bytes / file_step);
-    std::vector<char> rows(file_step * std::min(block, cloud_.size()));
-    std::uint8_t* point = cloud_.fields.data.data();
-    for (std::size_t i = 0; i < cloud_.size(); i += block) {
-      const std::size_t count = std::min(block, cloud_.size() - i);
-      readBytes(rows.data(), count * file_step);
+    const std::size_t block = std::max<std::size_t>(1, block_bytes / file_step_);
+    std::vector<char> rows(file_step_ * std::min(block, count));
+    for (std::size_t i = 0; i < count; i += block) {
+      const std::size_t some = std::min(block, count - i);
+      readBytes(rows.data(), some * file_step_);
       const char* row = rows.data();
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < some; ++k) {
         copyRow(row, point);
-        row += file_step;
+        row += file_step_;
         point += cloud_.fields.point_step;
       }
     }
-    passPadding(needed);
   }
 
   void
@@ -292,7 +345,11 @@ private:
   std::istream& stream_;
   const PCDHeader header_;
   const std::uint64_t body_size_;
+  const std::streampos body_; ///< where it begins
+  std::size_t file_step_ = 0; ///< bytes of a point in it
   std::size_t line_;
+  std::string text_; ///< of the line
+  std::size_t points_read_ = 0;
   LabelledCloud& cloud_;
 };
 
@@ -301,7 +358,17 @@ private:
 void
 readPCD(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 {
-  PCDReading(stream, size, cloud).read();
+  PCDReading(stream, size, cloud).readAll();
+}
+
+std::unique_ptr<CloudRows>
+streamPCD(std::istream& stream, std::uint64_t size, LabelledCloud& head)
+{
+  auto reading = std::make_unique<PCDReading>(stream, size, head);
+  if (!reading->hasRows())
+    return nullptr;
+  reading->requireBytes();
+  return reading;
 }
 
 } // namespace pcl_cid

@@ -78,9 +78,8 @@ header(const LabelledCloud& cloud, CloudEncoding encoding)
 }
 
 void
-writeAscii(std::ostream& stream, const LabelledCloud& cloud)
+writeAsciiRows(std::ostream& stream, const LabelledCloud& cloud)
 {
-  stream << header(cloud, CloudEncoding::ascii) << "ascii\n";
   const std::uint8_t* point = cloud.fields.data.data();
   std::string line;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -105,10 +104,19 @@ writeBytes(std::ostream& stream, const void* bytes, std::size_t count)
 }
 
 void
-writeBinary(std::ostream& stream, const LabelledCloud& cloud)
+writeHead(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
 {
-  stream << header(cloud, CloudEncoding::binary) << "binary\n";
-  writeBytes(stream, cloud.fields.data.data(), cloud.fields.data.size());
+  stream << header(cloud, encoding)
+         << (encoding == CloudEncoding::ascii ? "ascii\n" : "binary\n");
+}
+
+void
+writeRows(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
+{
+  if (encoding == CloudEncoding::ascii)
+    writeAsciiRows(stream, cloud);
+  else
+    writeBytes(stream, cloud.fields.data.data(), cloud.fields.data.size());
 }
 
 /** All values of the first field, of the second, ... */
@@ -147,18 +155,24 @@ writeCompressed(std::ostream& stream, const LabelledCloud& cloud)
 
 } // namespace
 
+CloudPieces
+pcdPieces()
+{
+  return {{CloudEncoding::ascii, CloudEncoding::binary}, writeHead, writeRows, {}};
+}
+
 void
 writePCD(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
 {
   // The compressed form counts its bytes in 32 bits.
   constexpr std::size_t most_compressible = 3500000000;
-  if (encoding == CloudEncoding::ascii)
-    writeAscii(stream, cloud);
-  else if (encoding == CloudEncoding::binary ||
-           cloud.fields.data.size() > most_compressible)
-    writeBinary(stream, cloud);
-  else
-    writeCompressed(stream, cloud);
+  if (encoding == CloudEncoding::compressed &&
+      cloud.fields.data.size() <= most_compressible)
+    return writeCompressed(stream, cloud);
+  const CloudEncoding plain =
+      encoding == CloudEncoding::ascii ? CloudEncoding::ascii : CloudEncoding::binary;
+  writeHead(stream, cloud, plain);
+  writeRows(stream, cloud, plain);
 }
 
 } // namespace pcl_cid

@@ -39,8 +39,11 @@ plyFormat()
   format.encodings = {CloudEncoding::ascii, CloudEncoding::binary};
   format.recognizes = recognizesPLY;
   format.read = readPLYCloud;
+  format.streams = "a binary PLY whose vertices have no lists";
+  format.stream = streamPLYCloud;
   format.check = checkPLYCloud;
   format.write = writePLYCloud;
+  format.pieces = plyPieces();
   return format;
 }
 

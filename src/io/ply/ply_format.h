@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace pcl_cid {
@@ -30,6 +31,14 @@ plyFormat();
 /** \brief Read the vertices and the camera of a PLY; see CloudFormat::read. */
 void
 readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
+
+/** \brief Read a PLY block by block; see CloudFormat::stream. */
+std::unique_ptr<CloudRows>
+streamPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& head);
+
+/** \brief Write a PLY block by block. */
+CloudPieces
+plyPieces();
 
 /** \brief Whether a PLY can hold a cloud; see CloudFormat::check. */
 void

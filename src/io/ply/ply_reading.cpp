@@ -12,6 +12,7 @@
 #include "ply_format.h"
 #include "ply_header.h"
 #include "ply_rows.h"
+#include "ply_vertices.h"
 #include "text/file_reading.h"
 #include "text/numbers.h"
 
@@ -21,6 +22,8 @@
 #include <cmath>
 #include <istream>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,106 +32,95 @@
 namespace pcl_cid {
 namespace {
 
-/** PCL's names of normals, unless these are taken. */
-std::string
-fieldName(const std::string& property, const PLYElement& points)
-{
-  if (property != "nx" && property != "ny" && property != "nz")
-    return property;
-  const std::string name = "normal_" + property.substr(1);
-  return points.find(name) < 0 ? name : property;
-}
-
-/** What holds no values: a PLY by PCL has padding, as a PCD has. */
-bool
-isPadding(const PLYProperty& property)
-{
-  return property.name == padding_name;
-}
-
-/** A list of the vertices: a field with several values when all have the same number.
- */
-struct VertexList {
-  std::size_t property;
-  std::optional<std::uint64_t> length = {};
-  bool varies = false;
-  std::vector<std::uint8_t> values = {};
-
-  void
-  take(const std::uint8_t* bytes, std::uint64_t count, std::size_t value_size)
-  {
-    varies = varies || count != length.value_or(count);
-    length = count;
-    if (varies)
-      values = {};
-    else
-      values.insert(values.end(), bytes, bytes + count * value_size);
-  }
-};
-
-/** Which properties of the vertices make up a packed color; -1 where there is none. */
-struct ColorProperties {
-  int red = -1;
-  int green = -1;
-  int blue = -1;
-  int alpha = -1;
-
-  explicit ColorProperties(const PLYElement& element)
-  {
-    if (element.find("rgb") >= 0 || element.find("rgba") >= 0)
-      return;
-    for (const std::string prefix : {"", "diffuse_"}) {
-      if (red >= 0 && green >= 0 && blue >= 0)
-        break;
-      red = element.find(prefix + "red", pcl::PCLPointField::UINT8);
-      green = element.find(prefix + "green", pcl::PCLPointField::UINT8);
-      blue = element.find(prefix + "blue", pcl::PCLPointField::UINT8);
-    }
-    alpha = element.find("alpha", pcl::PCLPointField::UINT8);
-  }
-
-  /** \return the byte of the packed color that a property is, -1 when it is none */
-  int
-  byteOf(int property) const
-  {
-    if (red < 0 || green < 0 || blue < 0)
-      return -1;
-    return property == blue    ? 0
-           : property == green ? 1
-           : property == red   ? 2
-           : property == alpha ? 3
-                               : -1;
-  }
-};
-
-/** Reads one file; each member function is one part of it. */
-class PLYReading {
+/** Reads one file, all at once or block by block. */
+class PLYReading : public CloudRows {
 public:
   PLYReading(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
-  : header_(readPLYHeader(stream, cloud.name))
+  : stream_(stream)
+  , size_(size)
+  , header_(readPLYHeader(stream, cloud.name))
+  , points_(vertices(cloud.name))
   , body_size_(bytesLeft(stream, size))
   , rows_(stream, size, header_, cloud.name)
   , cloud_(cloud)
   {
+    cloud_.layout = {"PLY", isAscii() ? CloudEncoding::ascii : CloudEncoding::binary};
+    requireBytes();
+    makeFields();
+    for (const PLYProperty& property : points_.properties)
+      sizes_.push_back(sizeOf(property.datatype));
   }
 
   void
-  read()
+  readAll()
   {
-    cloud_.layout = {"PLY", isAscii() ? CloudEncoding::ascii : CloudEncoding::binary};
-    const PLYElement& points = vertices();
-    requireBytes(points);
-    makeFields(points);
-    for (const PLYElement& element : header_.elements)
-      if (&element == &points)
-        readVertices(element);
-      else if (element.name == "camera" && element.count == 1)
-        readCamera(element);
-      else
-        passOver(element);
-    rows_.requireEnd();
+    readAround([&] {
+      cloud_.fields.data.assign(cloud_.fields.point_step * points_.count, 0);
+      rows_.begin(points_);
+      read(points_.count, cloud_.fields.data.data());
+    });
     for (const VertexList& list : lists_)
-      addList(points.properties[list.property], list);
+      addList(points_.properties[list.property], list);
+  }
+
+  /** Whether it is known where each of its points stands. */
+  bool
+  hasRows() const
+  {
+    return !isAscii() &&
+           std::none_of(points_.properties.begin(),
+                        points_.properties.end(),
+                        [](const PLYProperty& p) { return p.length_datatype != 0; });
+  }
+
+  /** Read all but the points, which may stand before or after the rest. */
+  void
+  readHead()
+  {
+    readAround([&] {
+      first_point_ = stream_.tellg();
+      const std::uint64_t bytes =
+          points_.count *
+          std::accumulate(sizes_.begin(), sizes_.end(), std::uint64_t{0});
+      if (bytesLeft(stream_, size_) < bytes)
+        fail("is truncated: it ends before the last of its points");
+      stream_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+    });
+  }
+
+  void
+  begin() override
+  {
+    stream_.clear();
+    stream_.seekg(first_point_);
+    rows_.begin(points_);
+  }
+
+  void
+  read(std::size_t count, std::uint8_t* points) override
+  {
+    const std::size_t step = cloud_.fields.point_step;
+    const std::uint64_t first = rows_.row();
+    rows_.readRows(count,
+                   [&](std::uint64_t row,
+                       std::size_t i,
+                       const std::uint8_t* values,
+                       std::uint64_t values_count) {
+                     const Target& target = targets_[i];
+                     if (target.offset >= 0)
+                       std::memcpy(points + (row - first) * step + target.offset,
+                                   values,
+                                   sizes_[i]);
+                     else if (target.list >= 0)
+                       lists_[static_cast<std::size_t>(target.list)].take(
+                           values, values_count, sizes_[i]);
+                   });
+  }
+
+  /** What follows the points was read with the head. */
+  void
+  end() override
+  {
   }
 
 private:
@@ -145,24 +137,44 @@ private:
     return header_.encoding == PLYHeader::Encoding::ascii;
   }
 
+  /** Read the elements in their order.
+   *  \param[in] readPoints reads or passes over the vertices */
+  template <typename ReadPoints>
+  void
+  readAround(const ReadPoints& readPoints)
+  {
+    for (const PLYElement& element : header_.elements)
+      if (&element == &points_)
+        readPoints();
+      else if (element.name == "camera" && element.count == 1)
+        readCamera(element);
+      else
+        passOver(element);
+    rows_.requireEnd();
+  }
+
+  /** \param[in] name of the file, for messages */
   const PLYElement&
-  vertices() const
+  vertices(const std::string& name) const
   {
     const auto isVertex = [](const PLYElement& e) { return e.name == "vertex"; };
     const auto& elements = header_.elements;
     const auto found = std::find_if(elements.begin(), elements.end(), isVertex);
     if (found == elements.end() || found->count == 0 || found->properties.empty())
-      fail("holds no points (PLY element vertex); at least 1 is needed");
+      throw CIDException(
+          name + ": holds no points (PLY element vertex); at least 1 is needed");
     constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
     if (found->count > most)
-      fail("holds ", found->count, " points; at most ", most, " are possible");
+      throw CIDException(sentence(
+          name, ": holds ", found->count, " points; at most ", most, " are possible"));
     return *found;
   }
 
   /** Refuse a file that is too short, before memory is taken for its points. */
   void
-  requireBytes(const PLYElement& points) const
+  requireBytes() const
   {
+    const PLYElement& points = points_;
     std::uint64_t row = 0;
     for (const PLYProperty& property : points.properties)
       row += isAscii()                       ? 2
@@ -180,8 +192,9 @@ private:
 
   /** The fields of the cloud, and where in a point each property goes. */
   void
-  makeFields(const PLYElement& points)
+  makeFields()
   {
+    const PLYElement& points = points_;
     const ColorProperties color(points);
     std::int64_t color_offset = -1;
     targets_.resize(points.properties.size());
@@ -217,29 +230,6 @@ private:
     return with_alpha
                ? addField("rgba", pcl::PCLPointField::UINT32, 1, cloud_.fields).offset
                : addField("rgb", pcl::PCLPointField::FLOAT32, 1, cloud_.fields).offset;
-  }
-
-  void
-  readVertices(const PLYElement& points)
-  {
-    const std::size_t step = cloud_.fields.point_step;
-    cloud_.fields.data.assign(step * points.count, 0);
-    std::uint8_t* const data = cloud_.fields.data.data();
-    std::vector<std::size_t> sizes;
-    for (const PLYProperty& property : points.properties)
-      sizes.push_back(sizeOf(property.datatype));
-    rows_.read(points,
-               [&](std::uint64_t row,
-                   std::size_t i,
-                   const std::uint8_t* values,
-                   std::uint64_t count) {
-                 const Target& target = targets_[i];
-                 if (target.offset >= 0)
-                   std::memcpy(data + row * step + target.offset, values, sizes[i]);
-                 else if (target.list >= 0)
-                   lists_[static_cast<std::size_t>(target.list)].take(
-                       values, count, sizes[i]);
-               });
   }
 
   void
@@ -328,12 +318,17 @@ private:
     int list = -1;
   };
 
+  std::istream& stream_;
+  const std::uint64_t size_;
   const PLYHeader header_;
+  const PLYElement& points_;
   const std::uint64_t body_size_;
   PLYRows rows_;
   LabelledCloud& cloud_;
   std::vector<Target> targets_;
+  std::vector<std::size_t> sizes_; ///< of the values of each property
   std::vector<VertexList> lists_;
+  std::streampos first_point_;
 };
 
 } // namespace
@@ -341,8 +336,19 @@ private:
 void
 readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 {
-  PLYReading(stream, size, cloud).read();
+  PLYReading(stream, size, cloud).readAll();
   cloud.fields.row_step = cloud.fields.point_step * cloud.fields.width;
+}
+
+std::unique_ptr<CloudRows>
+streamPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& head)
+{
+  auto reading = std::make_unique<PLYReading>(stream, size, head);
+  if (!reading->hasRows())
+    return nullptr;
+  reading->readHead();
+  head.fields.row_step = head.fields.point_step * head.fields.width;
+  return reading;
 }
 
 } // namespace pcl_cid

@@ -92,6 +92,7 @@ void
 PLYRows::begin(const PLYElement& element)
 {
   element_ = &element;
+  row_ = 0;
   std::size_t bytes = 0;
   bool has_lists = false;
   for (const PLYProperty& property : element.properties) {

@@ -43,7 +43,22 @@ public:
   read(const PLYElement& element, const Take& take)
   {
     begin(element);
-    for (row_ = 0; row_ < element.count && !element.properties.empty(); ++row_) {
+    if (!element.properties.empty())
+      readRows(element.count, take);
+  }
+
+  /** \brief Begin to read an element that is read in pieces. */
+  void
+  begin(const PLYElement& element);
+
+  /** \brief Read the next rows of the element that was begun; there are so many.
+   *  \param[in] take as in read() */
+  template <typename Take>
+  void
+  readRows(std::uint64_t count, const Take& take)
+  {
+    const PLYElement& element = *element_;
+    for (const std::uint64_t last = row_ + count; row_ < last; ++row_) {
       beginRow();
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const std::uint64_t count = readProperty(element.properties[i]);
@@ -51,6 +66,13 @@ public:
       }
       endRow();
     }
+  }
+
+  /** \brief The number, from 0, of the row that comes next. */
+  std::uint64_t
+  row() const
+  {
+    return row_;
   }
 
   /** \brief Read the next element, and use none of it. */
@@ -69,9 +91,6 @@ private:
   /** "row 1 of element 'vertex'". */
   std::string
   place() const;
-
-  void
-  begin(const PLYElement& element);
 
   void
   beginRow();

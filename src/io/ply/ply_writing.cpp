@@ -184,14 +184,13 @@ cameraOf(const LabelledCloud& cloud)
 }
 
 void
-writeHeader(std::ostream& stream,
-            const LabelledCloud& cloud,
-            const std::vector<Property>& properties,
-            bool ascii)
+writeHead(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
 {
+  const bool ascii = encoding == CloudEncoding::ascii;
   stream << "ply\nformat " << (ascii ? "ascii" : "binary_little_endian") << " 1.0\n"
          << "element vertex " << cloud.size() << '\n';
-  for (const Property& property : properties)
+  const Properties properties(cloud.fields);
+  for (const Property& property : properties.all())
     stream << "property " << plyTypeName(property.writtenType()) << ' ' << property.name
            << '\n';
   stream << "element camera 1\n";
@@ -202,9 +201,9 @@ writeHeader(std::ostream& stream,
 }
 
 void
-writeAscii(std::ostream& stream,
-           const LabelledCloud& cloud,
-           const std::vector<Property>& properties)
+writeAsciiRows(std::ostream& stream,
+               const LabelledCloud& cloud,
+               const std::vector<Property>& properties)
 {
   std::string line;
   const std::uint8_t* point = cloud.fields.data.data();
@@ -218,18 +217,12 @@ writeAscii(std::ostream& stream,
     stream << line;
     point += cloud.fields.point_step;
   }
-  line.clear();
-  for (const auto& [name, value] : cameraOf(cloud)) {
-    appendNumber(value, line);
-    line += ' ';
-  }
-  stream << line << cloud.fields.width << ' ' << cloud.fields.height << " 0 0\n";
 }
 
 void
-writeBinary(std::ostream& stream,
-            const LabelledCloud& cloud,
-            const std::vector<Property>& properties)
+writeBinaryRows(std::ostream& stream,
+                const LabelledCloud& cloud,
+                const std::vector<Property>& properties)
 {
   const std::uint8_t* point = cloud.fields.data.data();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -241,7 +234,33 @@ writeBinary(std::ostream& stream,
                      static_cast<std::streamsize>(sizeOf(property.datatype)));
     point += cloud.fields.point_step;
   }
-  for (const auto& [name, value] : cameraOf(cloud))
+}
+
+void
+writeRows(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
+{
+  const Properties properties(cloud.fields);
+  if (encoding == CloudEncoding::ascii)
+    writeAsciiRows(stream, cloud, properties.all());
+  else
+    writeBinaryRows(stream, cloud, properties.all());
+}
+
+/** The camera. */
+void
+writeTail(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
+{
+  const auto camera = cameraOf(cloud);
+  if (encoding == CloudEncoding::ascii) {
+    std::string line;
+    for (const auto& [name, value] : camera) {
+      appendNumber(value, line);
+      line += ' ';
+    }
+    stream << line << cloud.fields.width << ' ' << cloud.fields.height << " 0 0\n";
+    return;
+  }
+  for (const auto& [name, value] : camera)
     writeValue(stream, value);
   writeValue(stream, static_cast<std::int32_t>(cloud.fields.width));
   writeValue(stream, static_cast<std::int32_t>(cloud.fields.height));
@@ -263,16 +282,19 @@ checkPLYCloud(const LabelledCloud& cloud, const RemarkCallback& remark)
     }
 }
 
+CloudPieces
+plyPieces()
+{
+  return {
+      {CloudEncoding::ascii, CloudEncoding::binary}, writeHead, writeRows, writeTail};
+}
+
 void
 writePLYCloud(std::ostream& stream, const LabelledCloud& cloud, CloudEncoding encoding)
 {
-  const Properties properties(cloud.fields);
-  const bool ascii = encoding == CloudEncoding::ascii;
-  writeHeader(stream, cloud, properties.all(), ascii);
-  if (ascii)
-    writeAscii(stream, cloud, properties.all());
-  else
-    writeBinary(stream, cloud, properties.all());
+  writeHead(stream, cloud, encoding);
+  writeRows(stream, cloud, encoding);
+  writeTail(stream, cloud, encoding);
 }
 
 } // namespace pcl_cid

@@ -219,7 +219,9 @@ describeProposal(const SeedProposal& proposal,
 {
   report.points_in = points.points->size();
   report.points_finite = points.finite;
-  report.seeds = proposal.seeds;
+  report.seeds.clear();
+  for (const pcl::index_t seed : proposal.seeds)
+    report.seeds.push_back(points.indexInFile(seed));
   report.coverage = proposal.coverage;
   report.seed_positions.clear();
   for (const pcl::index_t seed : proposal.seeds)
@@ -256,6 +258,8 @@ toJson(const Report& report)
   json["points"] = {{"in", report.points_in},
                     {"finite", report.points_finite},
                     {"grouped", report.points_grouped}};
+  if (report.voxels)
+    json["points"]["voxels"] = *report.voxels;
   if (report.density)
     json["density"] = densityOf(*report.density);
   if (report.blind_spot)

@@ -164,7 +164,7 @@ public:
     if (!is_new && known->second.label != label)
       fail(row,
            "point ",
-           index,
+           points_.indexInFile(index),
            " has label ",
            label,
            ", but label ",
@@ -203,21 +203,28 @@ private:
   indexOf(const Row& row) const
   {
     const auto index = text_.number<std::int64_t>(row.index);
-    const std::size_t count = points_.points->size();
-    if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= count)
+    const pcl::index_t point = index ? points_.find(*index) : -1;
+    if (point < 0 && index && *index >= 0 && !points_.source.empty())
+      fail(row,
+           "the index is ",
+           *index,
+           ", which is no point that a voxel kept; seeds must be proposed with voxels "
+           "of "
+           "the same size");
+    if (point < 0)
       fail(row,
            "the index is '",
            row.index,
            "'; it must be a whole number, 0 to ",
-           count - 1);
-    if (!(*points_.points)[static_cast<std::size_t>(*index)]
+           points_.indexInFile(static_cast<pcl::index_t>(points_.points->size()) - 1));
+    if (!(*points_.points)[static_cast<std::size_t>(point)]
              .getVector3fMap()
              .allFinite())
       fail(row,
            "the index is ",
            *index,
            ", a point whose coordinates are not finite; a seed must be a finite point");
-    return static_cast<pcl::index_t>(*index);
+    return point;
   }
 
   std::uint32_t
@@ -257,7 +264,7 @@ private:
                ", ",
                row.z,
                "), but point ",
-               index,
+               points_.indexInFile(index),
                " is at (",
                place.x(),
                ", ",
@@ -292,7 +299,7 @@ writeSeedTable(std::ostream& stream,
   std::string line;
   for (std::size_t k = 0; k < seeds.size(); ++k) {
     const pcl::index_t seed = seeds[k];
-    line = std::to_string(seed);
+    line = std::to_string(points.indexInFile(seed));
     const Eigen::Vector3d in_file = placeInFile(seed, points);
     for (int axis = 0; axis < 3; ++axis) {
       line += ',';

@@ -115,6 +115,16 @@ withoutGzip(const std::string& path)
   return path.substr(0, path.size() - std::strlen(gzip_extension));
 }
 
+bool
+isPackedFile(const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) // what a pipe holds is read once
+    return false;
+  std::ifstream stream(path, std::ios::binary);
+  return isPacked(stream);
+}
+
 OpenedFile
 openFile(const std::string& path, const std::string& needed)
 {

@@ -33,6 +33,11 @@ constexpr const char* gzip_extension = ".gz";
 std::string
 withoutGzip(const std::string& path);
 
+/** \brief Whether gzip packed a file, as its first bytes tell; not when there is none.
+ */
+bool
+isPackedFile(const std::string& path);
+
 /** \brief Open a file. One that gzip packed, as its first bytes tell, is unpacked into
  *  memory, and so is the standard input, whose name is standard_stream.
  *  \param[in] needed what the caller needs, for messages: "a PCD file is needed"

@@ -1,0 +1,304 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * Scans of which one point of each voxel is worked on: the same as by hand.
+ */
+
+#include "segment_tool.h"
+
+#include <pcl_cid/io/cloud_blocks.h>
+#include <pcl_cid/io/voxel_cloud.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace pcl_cid::test {
+namespace {
+
+using Labels = std::vector<std::uint32_t>;
+
+/** A cloud by hand: the points that are chosen, and whom each point follows, as brute
+ *  force has it. */
+class VoxelTool : public SegmentTool {
+protected:
+  /** Choose the points of a scan and write them as a cloud of their own. */
+  void
+  chooseFrom(const std::string& scan, double size)
+  {
+    CloudBlockReader reader(scan);
+    VoxelOptions options;
+    options.size = size;
+    const VoxelCloud voxels(reader, options);
+    source_ = voxels.source();
+    saveCloud(chosen_, voxels.cloud(), pcd_binary);
+  }
+
+  /** For each point of a scan the label of the nearest of those that were chosen. */
+  Labels
+  labelsByBruteForce(const std::string& scan, const Labels& of_chosen) const
+  {
+    const LabelledCloud cloud = readCloud(scan);
+    const CloudPoints points = pointsOf(cloud);
+    const FileCoordinates at(cloud);
+    std::vector<Eigen::Vector3d> chosen;
+    for (const pcl::index_t i : source_)
+      chosen.push_back(at[static_cast<std::size_t>(i)]);
+    Labels labels(cloud.size(), 0);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      if (!(*points.points)[i].getVector3fMap().allFinite())
+        continue;
+      double least = std::numeric_limits<double>::infinity();
+      const Eigen::Vector3d p = at[i];
+      for (std::size_t k = 0; k < chosen.size(); ++k)
+        if (const double squared = (p - chosen[k]).squaredNorm(); squared < least) {
+          least = squared;
+          labels[i] = of_chosen[k];
+        }
+    }
+    return labels;
+  }
+
+  /** The tool does in one call what can be done by hand. */
+  void
+  expectAsByHand(const std::string& scan,
+                 double size,
+                 const std::vector<std::string>& more = {})
+  {
+    SCOPED_TRACE(scan);
+    chooseFrom(scan, size);
+    const auto run = [&](std::vector<std::string> arguments) {
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      segment(arguments);
+    };
+    run({chosen_, file("by_hand.pcd")});
+    run({scan, file("out.ply"), "--voxel", std::to_string(size)});
+    run({scan, file("out.pcd"), "--voxel", std::to_string(size)});
+    const Labels expected = labelsByBruteForce(scan, labelsIn(file("by_hand.pcd")));
+    EXPECT_EQ(labelsIn(file("out.pcd")), expected);
+    EXPECT_EQ(labelsIn(file("out.ply")), expected);
+    LabelledCloud whole = readCloud(scan);
+    setLabels(expected, LabelType::U4, whole);
+    saveCloud(file("expected.pcd"), whole, readCloud(file("out.pcd")).layout);
+    EXPECT_EQ(readText(file("out.pcd")), readText(file("expected.pcd")));
+    saveCloud(file("expected.ply"), whole, readCloud(file("out.ply")).layout);
+    EXPECT_EQ(readText(file("out.ply")), readText(file("expected.ply")));
+  }
+
+  /** A scan of the shared folder as a binary file; empty when it is absent. */
+  std::string
+  binaryCopyOf(const std::string& name) const
+  {
+    const std::string scan = PCL_CID_SHARED_DIR "/data/" + name;
+    if (!std::filesystem::exists(scan))
+      return "";
+    saveCloud(file("copy.pcd"), readCloud(scan), pcd_binary);
+    return file("copy.pcd");
+  }
+
+  std::string
+  complaintOf(const std::vector<std::string>& arguments, int exit_code) const
+  {
+    const ToolRun done = run("pcl_cid_segment", arguments);
+    EXPECT_EQ(done.exit_code, exit_code) << done.err;
+    return done.err;
+  }
+
+  pcl::Indices source_;
+  std::string chosen_ = file("chosen.pcd");
+};
+
+TEST_F(VoxelTool, DoesWhatIsDoneByHand)
+{
+  for (const CloudLayout& layout : {pcd_binary, pcd_ascii, ply_binary}) {
+    const std::string scan =
+        file(layout.format == "PCD" ? "scan_of_rows.pcd" : "scan_of_rows.ply");
+    saveCloud(scan, deskScan(), layout);
+    expectAsByHand(scan, 0.1);
+    expectAsByHand(scan, 0.04, {"--color", "0.01", "--threads", "3"});
+  }
+}
+
+TEST_F(VoxelTool, DoesWhatIsDoneByHandWithRealScans)
+{
+  const std::string organized = binaryCopyOf("office1.pcd");
+  if (organized.empty())
+    GTEST_SKIP() << "the shared scans are absent";
+  expectAsByHand(organized, 0.4);
+  EXPECT_EQ(readCloud(file("out.pcd")).fields.width, 640u);
+  expectAsByHand(binaryCopyOf("terrain_csite3_utm.pcd"), 12.0);
+  expectAsByHand(binaryCopyOf("room_scan1.pcd"), 0.5, {"--paper"});
+}
+
+TEST_F(VoxelTool, WorksOnOnePointOfAll)
+{
+  saveCloud(file("rows.pcd"), deskScan(), pcd_binary);
+  segment({file("rows.pcd"), file("out.pcd"), "--voxel", "1000"});
+  const Labels truth = deskLabels();
+  const Labels labels = labelsIn(file("out.pcd"));
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    EXPECT_EQ(labels[i], truth[i] == 0 ? 0u : 1u);
+}
+
+TEST_F(VoxelTool, IndicesAreThoseOfTheFile)
+{
+  const std::string scan = file("rows.pcd");
+  saveCloud(scan, deskScan(), pcd_binary);
+  chooseFrom(scan, 0.1);
+  const std::string seeds = file("seeds.csv");
+  const std::string start = std::to_string(source_[5]);
+  segment({scan,
+           file("out.pcd"),
+           "--voxel",
+           "0.1",
+           "--propose",
+           seeds,
+           "--start-index",
+           start,
+           "--report",
+           file("report.json")});
+  const FileCoordinates at(readCloud(scan));
+  const auto json = report();
+  EXPECT_EQ(json["points"]["in"], 1200);
+  EXPECT_EQ(json["points"]["voxels"], source_.size());
+  EXPECT_EQ(json["parameters"]["voxel"], 0.1);
+  EXPECT_EQ(json["parameters"]["start_index"], source_[5]);
+  EXPECT_EQ(json["seeds"][0]["index"], source_[5]);
+  std::size_t grouped = 0;
+  for (const auto& seed : json["seeds"]) {
+    const auto index = seed["index"].get<pcl::index_t>();
+    EXPECT_TRUE(std::binary_search(source_.begin(), source_.end(), index));
+    grouped += seed["points"].get<std::size_t>();
+  }
+  EXPECT_EQ(grouped, json["points"]["finite"]);
+  EXPECT_EQ(json["points"]["grouped"], json["points"]["finite"]);
+
+  // The table names points of the file; their labels come back.
+  std::string table = "index,label\n";
+  const Labels truth = deskLabels();
+  Labels given;
+  for (const auto& seed : json["seeds"]) {
+    const auto index = seed["index"].get<std::size_t>();
+    table += std::to_string(index) + "," + std::to_string(truth[index]) + "\n";
+  }
+  writeText(file("labels.csv"), table);
+  segment(
+      {scan, file("labelled.pcd"), "--voxel", "0.1", "--labels", file("labels.csv")});
+  const Labels labels = labelsIn(file("labelled.pcd"));
+  for (const auto& seed : json["seeds"]) {
+    const auto index = seed["index"].get<std::size_t>();
+    EXPECT_EQ(labels[index], truth[index]);
+  }
+}
+
+TEST_F(VoxelTool, RefusesPointsThatNoVoxelKept)
+{
+  const std::string scan = file("rows.pcd");
+  saveCloud(scan, deskScan(), pcd_binary);
+  chooseFrom(scan, 0.1);
+  pcl::index_t left = 0;
+  while (std::binary_search(source_.begin(), source_.end(), left) ||
+         deskLabels()[static_cast<std::size_t>(left)] == 0)
+    ++left;
+  const std::string index = std::to_string(left);
+  EXPECT_NE(
+      complaintOf({scan, file("o.pcd"), "--voxel", "0.1", "--start-index", index}, 1)
+          .find("--start-index is " + index + ", which is no point"),
+      std::string::npos);
+  writeText(file("seeds.csv"), "index,label\n" + index + ",1\n");
+  EXPECT_NE(
+      complaintOf(
+          {scan, file("o.pcd"), "--voxel", "0.1", "--labels", file("seeds.csv")}, 1)
+          .find("seeds.csv: line 2: the index is " + index + ", which is no point"),
+      std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("o.pcd")));
+}
+
+TEST_F(VoxelTool, ScoresAllPointsOfTheFile)
+{
+  LabelledCloud cloud = deskScan();
+  const Labels truth = deskLabels();
+  setLabels(truth, LabelType::U4, cloud);
+  const std::string scan = file("rows.pcd");
+  saveCloud(scan, cloud, pcd_binary);
+  segment({scan,
+           file("out.pcd"),
+           "--voxel",
+           "0.07",
+           "--labels-from",
+           "label",
+           "--report",
+           file("report.json")});
+  const Labels labels = labelsIn(file("out.pcd"));
+  std::size_t finite = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    finite += truth[i] > 0 ? 1 : 0;
+    right += truth[i] > 0 && labels[i] == truth[i] ? 1 : 0;
+  }
+  const auto score = report()["score"];
+  EXPECT_EQ(score["points"], finite);
+  EXPECT_EQ(score["right"], right);
+  EXPECT_EQ(score["labelled_points"], finite);
+  EXPECT_GT(right, finite / 2);
+}
+
+TEST_F(VoxelTool, DoesSeveralScansInOneCall)
+{
+  saveCloud(file("a.pcd"), deskScan(), pcd_binary);
+  saveCloud(file("b.ply"), deskScan(), ply_binary);
+  saveCloud(file("packed.pcd"), deskScan(), pcd_compressed);
+  std::filesystem::create_directory(file("out"));
+  const ToolRun done = run("pcl_cid_segment",
+                           {file("a.pcd"),
+                            file("b.ply"),
+                            file("packed.pcd"),
+                            "--voxel",
+                            "0.1",
+                            "--seeds",
+                            "9",
+                            "--output-dir",
+                            file("out")});
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_NE(done.err.find("packed.pcd: this PCD file cannot be read block by block"),
+            std::string::npos)
+      << done.err;
+  EXPECT_FALSE(std::filesystem::exists(file("out/packed.pcd")));
+  segment({file("a.pcd"), file("one.pcd"), "--voxel", "0.1", "--seeds", "9"});
+  EXPECT_EQ(labelsIn(file("out/a.pcd")), labelsIn(file("out/b.ply")));
+}
+
+TEST_F(VoxelTool, RefusesWhatNeedsAllPoints)
+{
+  saveCloud(file("rows.pcd"), deskScan(), pcd_binary);
+  const std::string out = file("o.pcd");
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--html", "p.html"},
+                                             {"--session", "s.jsonl"},
+                                             {"--cid-from", "3"},
+                                             {"--superpoints", "s.json"},
+                                             {"--mesh-spacing", "0.1"},
+                                             {"--class-table", "t.tsv"}}) {
+    std::vector<std::string> arguments{file("rows.pcd"), out, "--voxel", "0.1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_NE(complaintOf(arguments, 2).find("needs all points in memory"),
+              std::string::npos)
+        << more.front();
+  }
+  EXPECT_NE(complaintOf({"-", out, "--voxel", "0.1"}, 2).find("three times"),
+            std::string::npos);
+  EXPECT_NE(complaintOf({file("rows.pcd"), "-", "--voxel", "0.1"}, 2).find("block"),
+            std::string::npos);
+  for (const char* const size : {"0", "-1", "none", "nan"})
+    complaintOf({file("rows.pcd"), out, "--voxel", size}, 2);
+  EXPECT_NE(complaintOf({scan_, out, "--voxel", "0.1"}, 1)
+                .find("cannot be read block by block"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+} // namespace
+} // namespace pcl_cid::test

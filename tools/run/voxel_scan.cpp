@@ -1,0 +1,144 @@
+/*
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * pcl_cid: Concavity-Induced Distance for point clouds
+ * Copyright (c) 2026, pcl_cid contributors
+ *
+ * The input of a run that is read block by block, for scans larger than the memory.
+ */
+
+#include "voxel_scan.h"
+
+#include "common_settings.h"
+#include "parameter.h"
+
+#include <pcl_cid/io/cloud_formats.h>
+#include <pcl_cid/io/scan_source.h>
+
+#include <ostream>
+
+namespace pcl_cid::tools {
+namespace {
+
+/** Refuse an OUTPUT that cannot hold a block; what is to be said of it is said once. */
+class OutputCheck {
+public:
+  OutputCheck(const std::string& path, Run& run) : path_(path), run_(run) {}
+
+  void
+  operator()(const LabelledCloud& block)
+  {
+    requireWritable(block, path_, [this](const std::string& sentence) {
+      if (!is_told_)
+        run_.remark()(path_ + ": " + sentence);
+    });
+    is_told_ = true;
+  }
+
+private:
+  std::string path_;
+  Run& run_;
+  bool is_told_ = false;
+};
+
+} // namespace
+
+void
+declareVoxelOption(std::optional<double>& voxel,
+                   const std::vector<std::string>& whole_cloud,
+                   CommandLine& line)
+{
+  line.optional(
+      setting::voxel, voxel, "reads INPUT three times and writes OUTPUT in its order");
+  line.exclude(
+      optionName(setting::voxel),
+      whole_cloud,
+      "the second needs all points in memory, of which the first holds one for "
+      "each voxel");
+}
+
+void
+checkVoxelOption(const Settings& settings)
+{
+  if (!settings.voxel)
+    return;
+  if (settings.input == standard_output)
+    throw UsageError("--voxel reads INPUT three times, which the standard input cannot "
+                     "be; name a file");
+  if (settings.output == standard_output)
+    throw UsageError(
+        "--voxel holds no more than a block of OUTPUT, but what goes to the "
+        "standard output is held until the end; name a file");
+}
+
+VoxelScan::VoxelScan(const Settings& settings,
+                     const std::function<void(const LabelledCloud& block)>& check,
+                     Run& run)
+: reader_(settings.input,
+          settings.input_format.empty() ? "" : "." + settings.input_format,
+          settings.scale)
+{
+  blockLayoutFor(settings.output, reader_.head().layout);
+  if (!settings.many.output_dir.empty())
+    run.console.beBriefOn(settings.input);
+  run.begin("Reading " + settings.input);
+  OutputCheck requireHolds(settings.output, run);
+  VoxelOptions options;
+  options.size = *settings.voxel;
+  options.points = {settings.keep_zeros, run.remark()};
+  options.check = [&](const LabelledCloud& block) {
+    requireHolds(block);
+    check(block);
+  };
+  options.execution = {settings.threads, run.console.progress()};
+  voxels_.emplace(reader_, options);
+  for (const std::string& remark : reader_.head().remarks)
+    run.remark()(settings.input + ": " + remark);
+  scan_.name = scanName(settings.input);
+  scan_.cloud = voxels_->takeCloud();
+  scan_.points = pointsOf(scan_.cloud, {true, run.remark()});
+  scan_.points.source = voxels_->source();
+  remarkOnUnit(settings, scan_, run);
+  run.end(std::to_string(reader_.head().size()) + " points, " +
+              std::to_string(voxels_->finite()) + " finite, in " +
+              std::to_string(scan_.cloud.size()) + " voxels",
+          "load");
+  run.report.input = settings.input;
+}
+
+void
+VoxelScan::writeLabels(const Settings& settings,
+                       const std::vector<std::uint32_t>& labels,
+                       const Take& take,
+                       Run& run)
+{
+  const CloudLayout layout = blockLayoutFor(settings.output, reader_.head().layout);
+  const ExecutionOptions execution{settings.threads, run.console.progress()};
+  run.outputs.write(settings.output, [&](std::ostream& stream) {
+    CloudBlockWriter writer(stream, reader_.head(), layout);
+    std::vector<std::uint32_t> of_block;
+    voxels_->follow(
+        reader_,
+        [&](LabelledCloud& block, const pcl::Indices& follows) {
+          of_block.clear();
+          for (const pcl::index_t point : follows)
+            of_block.push_back(point < 0 ? 0 : labels[static_cast<std::size_t>(point)]);
+          take(block, follows, of_block);
+          setLabels(of_block, settings.label_type, block);
+          writer.write(block);
+        },
+        execution);
+    writer.finish();
+  });
+}
+
+void
+VoxelScan::describe(const Settings& settings, Report& report) const
+{
+  report.points_in = reader_.head().size();
+  report.points_finite = voxels_->finite();
+  report.voxels = scan_.cloud.size();
+  report.parameters.push_back(parameter(setting::voxel, settings.voxel));
+}
+
+} // namespace pcl_cid::tools
