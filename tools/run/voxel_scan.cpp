@@ -49,7 +49,10 @@ declareVoxelOption(std::optional<double>& voxel,
                    CommandLine& line)
 {
   line.optional(
-      setting::voxel, voxel, "reads INPUT three times and writes OUTPUT in its order");
+      setting::voxel,
+      voxel,
+      "the others follow it; for an INPUT larger than the memory, which is read "
+      "three times");
   line.exclude(
       optionName(setting::voxel),
       whole_cloud,

@@ -35,9 +35,7 @@ inline constexpr NumberSetting<double> voxel{
     0.0,
     shortest,
     longest,
-    "work on one point of each voxel of this size, which the others follow; INPUT may "
-    "be "
-    "larger than the memory",
+    "work on one point of each voxel of this size",
     "for all points"};
 
 } // namespace setting

@@ -15,6 +15,7 @@
 #include <pcl_cid/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -66,47 +67,56 @@ class Gaps {
 public:
   /** \param[in] corner of the point's voxel */
   Gaps(const Eigen::Vector3d& p, const Eigen::Vector3d& corner, double size)
-  : size_(size)
   {
-    // A coordinate, its voxel's corner and the quotient are each rounded once.
-    constexpr double slack = 16.0 * std::numeric_limits<double>::epsilon();
-    const Eigen::Array3d most = slack * (p.array().abs() + 3.0 * size);
-    below_ = ((p - corner).array() - most).max(0.0);
-    above_ = ((corner - p).array() + size - most).max(0.0);
-    size_ -= most.maxCoeff();
+    for (int axis = 0; axis < 3; ++axis) {
+      // A coordinate, its voxel's corner and the quotient are each rounded once.
+      constexpr double slack = 16.0 * std::numeric_limits<double>::epsilon();
+      const double most = slack * (std::abs(p[axis]) + 3.0 * size);
+      const double below = std::max(p[axis] - corner[axis] - most, 0.0);
+      const double above = std::max(corner[axis] - p[axis] + size - most, 0.0);
+      const double step = std::max(size - most, 0.0);
+      squares_[static_cast<std::size_t>(axis)] = {square(below + step),
+                                                  square(below),
+                                                  0.0,
+                                                  square(above),
+                                                  square(above + step)};
+    }
   }
 
   /** The square of the distance to the voxel at an offset. */
   double
   squared(const VoxelCell& offset) const
   {
-    double sum = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::int32_t steps = offset[static_cast<std::size_t>(axis)];
-      const double gap = steps == 0  ? 0.0
-                         : steps < 0 ? below_[axis] - size_ * (steps + 1)
-                                     : above_[axis] + size_ * (steps - 1);
-      sum += gap * gap;
-    }
-    return sum * narrowing;
+    return squares_[0][at(offset[0])] + squares_[1][at(offset[1])] +
+           squares_[2][at(offset[2])];
   }
 
-  /** The square of the distance to all that is farther out than the voxels around. */
+  /** The square of the distance to all that is at least so many voxels away. */
   double
-  squaredFartherOut() const
+  squaredBeyond(std::int32_t steps) const
   {
-    const double nearest = size_ + std::min(below_.minCoeff(), above_.minCoeff());
-    return nearest * nearest * narrowing;
+    double least = infinite;
+    for (const auto& squares : squares_)
+      least = std::min({least, squares[at(-steps)], squares[at(steps)]});
+    return least;
   }
 
 private:
-  // A squared distance is off by less than this share, and so is a squared gap.
-  static constexpr double narrowing =
-      1.0 - 16.0 * std::numeric_limits<double>::epsilon();
+  static std::size_t
+  at(std::int32_t steps)
+  {
+    return static_cast<std::size_t>(steps + 2);
+  }
 
-  double size_;
-  Eigen::Array3d below_;
-  Eigen::Array3d above_;
+  /** A squared distance is off by less than this share, and so is a squared gap. */
+  static double
+  square(double gap)
+  {
+    return gap * gap * (1.0 - 16.0 * std::numeric_limits<double>::epsilon());
+  }
+
+  std::array<std::array<double, 5>, 3>
+      squares_; ///< for each axis, two steps down to up
 };
 
 [[noreturn]] void
@@ -196,6 +206,8 @@ struct VoxelPoints::State {
     const std::uint32_t neighbors = taken_around[static_cast<std::size_t>(best)];
     double least = (p - chosen[static_cast<std::size_t>(best)]).squaredNorm();
     const Gaps gaps(p, cornerOf(own), size);
+    if (gaps.squaredBeyond(1) > least)
+      return best;
     const auto compare = [&](pcl::index_t other) {
       const double squared =
           (p - chosen[static_cast<std::size_t>(other)]).squaredNorm();
@@ -204,10 +216,11 @@ struct VoxelPoints::State {
         best = other;
       }
     };
-    for (std::size_t k = 0; k < around.size(); ++k)
-      if ((neighbors >> k & 1u) != 0 && gaps.squared(around[k]) <= least)
+    std::size_t k = 0;
+    for (std::uint32_t rest = neighbors; rest != 0; rest >>= 1, ++k)
+      if ((rest & 1u) != 0 && gaps.squared(around[k]) <= least)
         compare(table.find(own + around[k]));
-    if (gaps.squaredFartherOut() > least)
+    if (gaps.squaredBeyond(2) > least)
       return best;
     for (const VoxelCell& offset : farther_out)
       if (gaps.squared(offset) <= least)

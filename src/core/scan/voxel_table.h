@@ -83,9 +83,17 @@ private:
   {
     const std::size_t last = slots_.size() - 1; // a power of two less one
     std::size_t slot = hashOf(cell) & last;
-    while (slots_[slot] >= 0 && cells_[static_cast<std::size_t>(slots_[slot])] != cell)
+    while (slots_[slot] >= 0 &&
+           !areEqual(cells_[static_cast<std::size_t>(slots_[slot])], cell))
       slot = (slot + 1) & last;
     return slot;
+  }
+
+  /** As ==, which calls a function of the C library: a third of all time. */
+  static bool
+  areEqual(const VoxelCell& a, const VoxelCell& b)
+  {
+    return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;
   }
 
   static std::size_t
