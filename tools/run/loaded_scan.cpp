@@ -36,6 +36,13 @@ remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run)
                  " metres; if it is in millimetres, give --scale 0.001");
 }
 
+void
+useOutputUnit(const Settings& settings, LoadedScan& scan)
+{
+  if (settings.output_unit == OutputUnit::metre)
+    scan.points.metres_per_unit = 1.0;
+}
+
 LoadedScan
 loadScan(const Settings& settings, Run& run)
 {
@@ -52,8 +59,7 @@ loadScan(const Settings& settings, Run& run)
                 settings.mesh_spacing,
                 settings.input_format.empty() ? "" : "." + settings.input_format});
   scan.points = pointsOf(scan.cloud, {settings.keep_zeros, run.remark()});
-  if (settings.output_unit == OutputUnit::metre)
-    scan.points.metres_per_unit = 1.0;
+  useOutputUnit(settings, scan);
   const std::string size = std::to_string(scan.cloud.size());
   if (scan.points.finite == 0)
     throw CIDException(settings.input + ": none of its " + size +

@@ -43,6 +43,10 @@ loadScan(const Settings& settings, Run& run);
 void
 remarkOnUnit(const Settings& settings, const LoadedScan& scan, Run& run);
 
+/** \brief Let what is written beside the scan have the unit of `--output-unit`. */
+void
+useOutputUnit(const Settings& settings, LoadedScan& scan);
+
 /** \brief Refuse an output that cannot hold the cloud of a scan, before the work;
  *  remarks on it go to the user and the report.
  *  \throws CIDException */

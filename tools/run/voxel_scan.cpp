@@ -101,12 +101,21 @@ VoxelScan::VoxelScan(const Settings& settings,
   scan_.cloud = voxels_->takeCloud();
   scan_.points = pointsOf(scan_.cloud, {true, run.remark()});
   scan_.points.source = voxels_->source();
+  useOutputUnit(settings, scan_);
   remarkOnUnit(settings, scan_, run);
   run.end(std::to_string(reader_.head().size()) + " points, " +
               std::to_string(voxels_->finite()) + " finite, in " +
               std::to_string(scan_.cloud.size()) + " voxels",
           "load");
   run.report.input = settings.input;
+}
+
+LabelledCloud
+VoxelScan::headFor(const LabelledCloud& block) const
+{
+  LabelledCloud head = reader_.head();
+  head.sensor_origin = block.sensor_origin;
+  return head;
 }
 
 void
@@ -118,7 +127,7 @@ VoxelScan::writeLabels(const Settings& settings,
   const CloudLayout layout = blockLayoutFor(settings.output, reader_.head().layout);
   const ExecutionOptions execution{settings.threads, run.console.progress()};
   run.outputs.write(settings.output, [&](std::ostream& stream) {
-    CloudBlockWriter writer(stream, reader_.head(), layout);
+    std::optional<CloudBlockWriter> writer;
     std::vector<std::uint32_t> of_block;
     voxels_->follow(
         reader_,
@@ -128,10 +137,14 @@ VoxelScan::writeLabels(const Settings& settings,
             of_block.push_back(point < 0 ? 0 : labels[static_cast<std::size_t>(point)]);
           take(block, follows, of_block);
           setLabels(of_block, settings.label_type, block);
-          writer.write(block);
+          if (settings.output_unit == OutputUnit::metre)
+            convertToMetres(block);
+          if (!writer)
+            writer.emplace(stream, headFor(block), layout);
+          writer->write(block);
         },
         execution);
-    writer.finish();
+    writer->finish();
   });
 }
 

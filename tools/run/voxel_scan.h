@@ -73,6 +73,10 @@ public:
   describe(const Settings& settings, Report& report) const;
 
 private:
+  /** \brief The head of OUTPUT, whose sensor stands where a block of it says. */
+  LabelledCloud
+  headFor(const LabelledCloud& block) const;
+
   CloudBlockReader reader_;
   std::optional<VoxelCloud> voxels_;
   LoadedScan scan_;

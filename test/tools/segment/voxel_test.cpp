@@ -10,12 +10,14 @@
 #include "segment_tool.h"
 
 #include <pcl_cid/io/cloud_blocks.h>
+#include <pcl_cid/io/seed_table.h>
 #include <pcl_cid/io/voxel_cloud.h>
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <regex>
 
 namespace pcl_cid::test {
 namespace {
@@ -287,6 +289,45 @@ TEST_F(VoxelTool, DoesSeveralScansInOneCall)
   EXPECT_EQ(labelsIn(file("out/a.pcd")), labelsIn(file("out/b.ply")));
   const Labels labels = labelsIn(file("out/a.pcd"));
   EXPECT_EQ(*std::max_element(labels.begin(), labels.end()), 9u);
+}
+
+/** In metres, and in the unit of the file: voxels and labels are the same. */
+TEST_F(VoxelTool, WritesTheUnitThatIsAskedFor)
+{
+  saveCloud(file("metres.pcd"), deskScan(), pcd_binary);
+  LabelledCloud scan = readCloud(file("metres.pcd"));
+  scan.scale = 1000.0;
+  convertToMetres(scan); // what were metres are taken for kilometres
+  saveCloud(file("millimetres.pcd"), scan, pcd_binary);
+  for (const std::string unit : {"file", "metre"}) {
+    segment({file("millimetres.pcd"),
+             file(unit + ".pcd"),
+             "--voxel",
+             "0.07",
+             "--scale",
+             "0.001",
+             "--output-unit",
+             unit,
+             "--propose",
+             file(unit + ".csv")});
+    const CloudPoints written = pointsOf(readCloud(file(unit + ".pcd")));
+    std::string table = readText(file(unit + ".csv"));
+    writeText(file(unit + ".csv"),
+              std::regex_replace(table, std::regex(",\n"), ",7\n"));
+    // A table is refused where its coordinates are not those of the cloud.
+    EXPECT_FALSE(readSeedTable(file(unit + ".csv"), written).seeds.empty());
+  }
+  EXPECT_EQ(labelsIn(file("file.pcd")), labelsIn(file("metre.pcd")));
+  const LabelledCloud in_file = readCloud(file("file.pcd"));
+  const LabelledCloud in_metres = readCloud(file("metre.pcd"));
+  EXPECT_TRUE(in_file.sensor_origin.head<3>().isApprox(
+      1000.0F * in_metres.sensor_origin.head<3>()));
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    if (FileCoordinates(scan)[i].allFinite()) {
+      EXPECT_EQ(FileCoordinates(in_file)[i], FileCoordinates(scan)[i]);
+      EXPECT_TRUE((1000.0 * FileCoordinates(in_metres)[i])
+                      .isApprox(FileCoordinates(scan)[i], 1e-6));
+    }
 }
 
 TEST_F(VoxelTool, RefusesWhatNeedsAllPoints)
