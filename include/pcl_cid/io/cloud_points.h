@@ -98,8 +98,9 @@ struct PointOptions {
 PCL_CID_IO_EXPORT CloudPoints
 pointsOf(const LabelledCloud& cloud, const PointOptions& options = {});
 
-/** \brief Bring the coordinates of a cloud, and the place of its sensor, from the unit of
- *  its file to metres; its scale is 1 then. Coordinates that are no float become double.
+/** \brief Bring the coordinates of a cloud, and the place of its sensor, from the unit
+ *  of its file to metres. Its scale is 1 then, and coordinates that are no float become
+ *  double.
  *  \throws CIDException when x, y or z is missing */
 PCL_CID_IO_EXPORT void
 convertToMetres(LabelledCloud& cloud);
