@@ -85,13 +85,14 @@ public:
 
   /** \brief The first time: find the voxels and their means.
    *  \throws CIDException for a point that is 2^30 voxels or more from the first one,
-   * or whose coordinates do not tell voxels apart */
+   *  or whose coordinates do not tell voxels apart */
   void
   add(const Block& points);
 
   /** \brief The second time: choose.
    *  \return for each point the number of its voxel, from 0, when it is the best of it
-   * so far; -1 when not \throws CIDException when a point was not shown before */
+   *  so far, or else -1
+   *  \throws CIDException when a point was not shown before */
   pcl::Indices
   choose(const Block& points);
 
