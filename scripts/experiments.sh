@@ -13,4 +13,4 @@
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/workflow.sh"
-start_workflow main.py 3 "$@"
+start_workflow main.py "$@"

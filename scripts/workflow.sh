@@ -8,12 +8,12 @@
 # start_workflow COMMAND_LINE ARGUMENTS ...: install and build what is missing, then start. What
 # is told before goes to the standard error, for --dag writes to the standard output.
 start_workflow() {
-  local command_line=$1 least=$2 started_in=$PWD project
-  shift 2
+  local command_line=$1 started_in=$PWD project
+  shift
   cd "$(dirname "${BASH_SOURCE[0]}")/.."
   source scripts/common.sh
   project=$PWD
-  if [ $# -lt "$least" ]; then
+  if [ $# -lt 3 ]; then
     sed -n 's/^# \?//; /^usage/,/^$/p' "$project/scripts/$(basename "$0")" >&2
     exit 2
   fi

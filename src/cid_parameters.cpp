@@ -60,6 +60,10 @@ CIDParameters::execution(double begin, double end) const
 void
 CIDParameters::forgetScan()
 {
+  // A subsample is drawn anew, without seeds of before.
+  PreparationSettings settings = preparation();
+  settings.required.clear();
+  adoptPreparation(settings);
   scan_.reset();
   scan_is_given_ = false;
   grouping_.reset();
@@ -221,7 +225,7 @@ CIDParameters::adoptGrouping(const Grouping::ConstPtr& grouping)
 void
 CIDParameters::requireNoGrouping() const
 {
-  if (grouping_is_given_)
+  if (grouping_is_given_ && fits(*grouping_))
     throw CIDException(
         "groups of seeds were given, and the group rule says patches; set "
         "the rule to cid, or share the prepared scan only");

@@ -179,7 +179,10 @@ std::vector<int>
 CIDPartParameters::partOfEachPoint(const std::vector<pcl::index_t>& group,
                                    const std::vector<int>& cut)
 {
-  if (cut.empty() || cut.size() != merge_tree_.numberOfGroups() || group.empty())
+  if (group.empty())
+    throw CIDException("there are no groups of this input to cut; call segment or "
+                       "reconstruct first");
+  if (cut.empty() || cut.size() != merge_tree_.numberOfGroups())
     throw CIDException("the cut has " + std::to_string(cut.size()) +
                        " groups; it must be one of the merge tree of this input, which "
                        "has " +

@@ -13,6 +13,7 @@
 #include "oracle.h"
 
 #include <pcl_cid/cid_convex_abstraction.h>
+#include <pcl_cid/cid_label_propagation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -523,6 +524,67 @@ TEST(CIDConvexAbstraction, PatchesFollowTheirSettings)
   abstraction.setGroupRule(GroupRule::patches);
   abstraction.setPaperSettings();
   EXPECT_EQ(abstraction.getGroupRule(), GroupRule::cid);
+}
+
+/** Early or late, merging stops at the same cut. */
+TEST(CIDConvexAbstraction, PatchesStopAtTheCut)
+{
+  // There are fewer patches than seeds are asked for.
+  Abstraction whole = abstractionFor(toCloud(randomCube(60, 110)));
+  whole.setGroupRule(GroupRule::patches);
+  whole.setNumberOfSeeds(100);
+  Abstraction stopped = whole;
+  stopped.setStopAtCut(true);
+  std::vector<pcl::PointIndices> parts;
+  std::vector<pcl::PointIndices> parts_at_stop;
+  whole.segment(parts);
+  const auto patches = static_cast<int>(whole.getPatches()->numberOfPatches());
+  ASSERT_GT(patches, 2);
+  ASSERT_LT(patches, 100);
+  for (int merges = 1; merges < patches; ++merges) {
+    whole.setNumberOfMerges(merges);
+    stopped.setNumberOfMerges(merges);
+    whole.segment(parts);
+    stopped.segment(parts_at_stop);
+    EXPECT_EQ(stopped.getMergeTree().steps().size(), static_cast<std::size_t>(merges));
+    ASSERT_EQ(parts.size(), parts_at_stop.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      EXPECT_EQ(parts[k].indices, parts_at_stop[k].indices);
+  }
+}
+
+/** Settings of seeds do not matter, nor what the object has done before. */
+TEST(CIDConvexAbstraction, PatchesAreThoseOfAFreshObject)
+{
+  const auto cloud = toCloud(twoBoxes(600, 101));
+  const auto another = toCloud(twoBoxes(300, 5));
+  Abstraction fresh = abstractionFor(another);
+  fresh.setSubsample(150);
+  fresh.setGroupRule(GroupRule::patches);
+  std::vector<pcl::PointIndices> expected;
+  fresh.segment(expected);
+
+  CIDLabelPropagation<pcl::PointXYZ> propagation;
+  propagation.setInputCloud(cloud);
+  propagation.setSubsample(150);
+  propagation.setSeeds({5, 590}, {1, 2});
+  std::vector<std::uint32_t> labels;
+  propagation.segment(labels);
+  Abstraction used = abstractionFor(cloud);
+  used.setGrouping(propagation.getGrouping());
+  const int samples = fresh.getNumberOfSamples();
+  used.setNumberOfSamples(samples + 1); // the groups do not count any more
+  used.setGroupRule(GroupRule::patches);
+  std::vector<pcl::PointIndices> parts;
+  used.segment(parts);
+  used.setNumberOfSamples(samples);
+  used.setInputCloud(another);
+  used.setCoverage(0.5F);
+  used.setSeedingRule(SeedingRule::soft);
+  used.segment(parts);
+  ASSERT_EQ(parts.size(), expected.size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    EXPECT_EQ(parts[k].indices, expected[k].indices);
 }
 
 TEST(CIDConvexAbstraction, PatchesOfAnotherInputOrBesideGivenGroupsAreRefused)

@@ -43,7 +43,8 @@ public:
   /** \brief Merge these groups, of a sampler or a label propagation, on the scan that
    *  they are on, instead of making any. Call it after setInputCloud(). With another
    *  number of samples, seeding rule, setting of the preparation or input, groups are
-   *  made again. With GroupRule::patches, verbs refuse it.
+   *  made again. With GroupRule::patches, segment() refuses it, and reconstruct() by
+   *  CID.
    *  \throws CIDException when it is null */
   void
   setGrouping(const Grouping::ConstPtr& grouping)

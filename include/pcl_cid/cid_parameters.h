@@ -142,7 +142,8 @@ public:
     return scan_;
   }
 
-  /** \brief Seeds and groups of the last verb, for other objects to take; null before.
+  /** \brief Seeds and groups of the last verb that had any, for other objects to take;
+   *  null before.
    *  It never changes: later verbs work on a copy where it is still in use. */
   const Grouping::ConstPtr&
   getGrouping() const
@@ -228,7 +229,8 @@ protected:
   void
   regroup(const pcl::Indices& seeds, const ExecutionOptions& execution);
 
-  /** \brief Take the result of a verb back: a later step of it has failed. */
+  /** \brief Take the proposal of a verb back: a later step of it has failed, or the
+   * next verb has no seeds. */
   void
   clearProposal()
   {
@@ -242,7 +244,7 @@ protected:
   adoptGrouping(const Grouping::ConstPtr& grouping);
 
   /** \brief For verbs that do without groups of seeds.
-   *  \throws CIDException when adoptGrouping() has given some */
+   *  \throws CIDException when adoptGrouping() has given some that count */
   void
   requireNoGrouping() const;
 

@@ -15,9 +15,11 @@
 #include <pcl_cid/core/hull_fitting.h>
 #include <pcl_cid/core/prepared_scan.h>
 #include <pcl_cid/core/settings.h>
+#include <pcl_cid/core/smooth_patches.h>
 #include <pcl_cid/pcl_cid_export.h>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <pcl/types.h>
@@ -161,8 +163,8 @@ public:
 
   /** \brief Which groups are merged by CID: those of seeds (the paper, and the
    * default), or smooth patches of the surface, as many as setNumberOfSeeds() says.
-   * Patches have no seeds: no other setting of seeds matters then, and getProposal() is
-   * empty. */
+   * Patches have no seeds: no other setting of seeds matters then, but for a subsample
+   * that is drawn with the start in it, and getProposal() is empty. */
   void
   setGroupRule(GroupRule group_rule)
   {
@@ -175,8 +177,8 @@ public:
     return group_rule_;
   }
 
-  /** \brief The patches that the last segment() or reconstruct() merged; null where it
-   *  merged groups of seeds, and before. */
+  /** \brief The patches that the last merging by CID began with, also when it was
+   *  cancelled; null where it began with groups of seeds, and before. */
   const SmoothPatches::ConstPtr&
   getPatches() const
   {

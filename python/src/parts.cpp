@@ -56,11 +56,12 @@ mergedParts(const Scan& scan,
                                            maker,
                                            partOf(execution, 0.0, 0.9));
   seeding.keep(maker);
-  const std::vector<pcl::index_t> groups =
-      maker.getPatches() ? maker.getPatches()->groups()
-                         : *seeding.groups(partOf(execution, 0.9, 0.9));
+  const SmoothPatches::ConstPtr& patches = maker.getPatches();
+  const auto groups =
+      patches ? std::make_shared<const std::vector<pcl::index_t>>(patches->groups())
+              : seeding.groups(partOf(execution, 0.9, 0.9));
   return maker.makeParts(*scan.prepared(),
-                         maker.partOfEachPoint(groups, cut),
+                         maker.partOfEachPoint(*groups, cut),
                          partOf(execution, 0.9, 1.0));
 }
 

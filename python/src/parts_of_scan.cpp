@@ -187,6 +187,7 @@ partsDoc(const SettingDocs& settings)
   text = withRange(text, setting::parts);
   text = withRange(text, setting::max_error);
   text = withRange(text, setting::threshold);
+  text = withRange(text, setting::seeds);
   return withRange(text, setting::merges);
 }
 

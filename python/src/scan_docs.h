@@ -232,7 +232,7 @@ seeds : int, optional
 Returns
 -------
 MergeTree
-    Kept: another call, and `parts`, do not make it again.
+    The last one is kept: another call for it, and `parts`, do not make it again.
 
 Raises
 ------
@@ -289,7 +289,9 @@ CIDCancelled
 Notes
 -----
 'cid' is Algorithm 2 of Wang et al., RA-L 2023. `max_vertices` may be 'auto': as few as
-the bound on the error allows, or, without one, 1 % of the size of the hull.
+the bound on the error allows, or, without one, 1 % of the size of the hull. `seeds` is
+the largest number of patches, {seeds} where none is given; those of `propose` are not
+concerned.
 )";
 
 } // namespace pcl_cid::python

@@ -6,6 +6,7 @@
 # The command line of a tool on every scan of a folder; scripts/batch.sh starts this.
 
 import argparse
+import csv
 import os
 import shlex
 import subprocess
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from batch_plan import TOOLS, BatchPlan
 from launch import add_folders, launch, parser_for, read_options
-from plan import complaint
+from plan import listed_scans
 
 
 def options_file(text):
@@ -24,14 +25,19 @@ def options_file(text):
     try:
         lines = Path(text).read_text(encoding="utf-8").splitlines()
         for number, line in enumerate(lines, 1):
-            tool, *words = shlex.split(line, comments=True) or [None]
+            # --option=value as two words, as --option value is.
+            tool, *words = [part for word in shlex.split(line, comments=True)
+                            for part in (word.split("=", 1) if word.startswith("--") else [word])
+                            ] or [None]
             if tool is None:
                 continue
             if tool not in TOOLS or tool in words_of:
                 raise ValueError(f"line {number}: '{tool}' is not expected here; a line begins "
                                  f"with {', '.join(TOOLS)}, each once")
             words_of[tool] = words
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        raise argparse.ArgumentTypeError(f"{text}: {error.strerror}") from None
+    except ValueError as error:
         raise argparse.ArgumentTypeError(f"{text}: {error}") from None
     return words_of
 
@@ -46,6 +52,14 @@ def read_command_line(arguments):
     parser.add_argument("--options", metavar="FILE", type=options_file, default={},
                         help="options of the tools, a line for each tool: segment --seeds 50")
     return parser, *read_options(parser, arguments)
+
+
+def scans_in(summary):
+    """How many it has rows for, if it is there."""
+    if not summary.exists():
+        return 0
+    with open(summary, newline="", encoding="utf-8") as file:
+        return sum(1 for _ in csv.DictReader(file))
 
 
 def check_options(programs, words_of):
@@ -63,6 +77,9 @@ def check_options(programs, words_of):
                                   capture_output=True, text=True, errors="replace")
             if done.returncode == 2:
                 return done.stderr.strip()
+            # It fails on the one scan, and knows of no other.
+            if done.returncode == 0 or scans_in(Path(folder, "a.csv")) > 1:
+                return f"{tool}: its line must have options of its work on a scan only"
     return None
 
 
@@ -75,9 +92,9 @@ def main(arguments):
         "dataset": os.path.abspath(options.dataset),
         "programs": os.path.abspath(options.programs),
         "targets": list(TOOLS) if options.tool == "all" else [options.tool],
-        **{name: getattr(options, name) for name in ("scans", "options", "threads")}}
-    plan = BatchPlan(config, options.out)
-    wrong = complaint(options.dataset, plan.scans) or plan.same_names()
+        "scans": listed_scans(options.dataset, options.out, options.scans),
+        **{name: getattr(options, name) for name in ("options", "threads")}}
+    wrong = BatchPlan(config, options.out).same_names()
     if wrong:
         sys.exit(wrong)
     sys.exit(launch(BatchPlan, "batch.smk", config, options, others))

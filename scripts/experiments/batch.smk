@@ -15,6 +15,8 @@ from batch_plan import BatchPlan
 from plan import FAILED
 
 plan = BatchPlan(config)
+# How far it is, and no more: -p has the commands.
+logger.quiet.add("rules")
 PYTHON = f"{sys.executable} -B"
 PROGRAMS = config["programs"]
 CONFIG = workflow.overwrite_configfiles[0]
@@ -31,11 +33,12 @@ def of_scan(tool):
 
 
 def scan_file(wildcards):
-    return plan.scan(wildcards).existing()
+    """The time of a scan does not count: its fingerprint does."""
+    return [ancient(path) for path in plan.scan(wildcards).existing()]
 
 
 onerror:
-    # A job ran and failed, in difference to a workflow that did not start.
+    # A job ran and failed, unlike a workflow that did not start.
     Path(FAILED).touch()
 
 

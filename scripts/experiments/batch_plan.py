@@ -61,5 +61,9 @@ class BatchPlan(Plan):
 
     def wanted(self, target):
         return [Wanted(name, f"{target}/{name}.csv",
-                       tuple(f"logs/{tool}/{name}.log" for tool in (target, *NEEDS[target])))
+                       tuple(self.step(f"{tool}/{name}.csv", f"logs/{tool}/{name}.log")
+                             for tool in (*NEEDS[target], target)))
                 for name in self.scan_of_name]
+
+    def files(self, target):
+        return [f"{target}.csv"]

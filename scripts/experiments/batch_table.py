@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from batch_plan import BatchPlan
-from programs import read_json
+from plan import configuration
 from report import write_csv
 
 # The table of pcl_cid_evaluate has rows of classes, too.
@@ -25,7 +25,7 @@ def rows_of_scans(path, name):
 
 
 def main(config, tool, partial):
-    plan = BatchPlan(read_json(Path(config)) | {"partial": partial == "True"})
+    plan = BatchPlan(configuration(config, partial))
     left_out = plan.left_out(tool)
     write_csv(Path(f"{tool}.csv"), [row for each in plan.wanted(tool) if each.scan not in left_out
                                     for row in rows_of_scans(each.result, each.scan)])

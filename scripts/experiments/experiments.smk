@@ -18,12 +18,14 @@ from measure import MEASUREMENTS
 from plan import FAILED
 
 plan = ExperimentsPlan(config)
+# How far it is, and no more: -p has the commands.
+logger.quiet.add("rules")
 PYTHON = f"{sys.executable} -B"
 PROGRAMS = config["programs"]
 CONFIG = workflow.overwrite_configfiles[0]
 
 onerror:
-    # A job ran and failed, in difference to a workflow that did not start.
+    # A job ran and failed, unlike a workflow that did not start.
     Path(FAILED).touch()
 
 
@@ -42,7 +44,10 @@ for kind, measurement in MEASUREMENTS.items():
         name:
             f"measure_{kind}"
         input:
-            lambda wildcards, kind=kind: plan.item(wildcards, kind).scan.existing(),
+            # Its time does not count: its fingerprint does.
+            lambda wildcards, kind=kind: [
+                ancient(path) for path in plan.item(wildcards, kind).scan.existing()
+            ],
         output:
             measurement.files(f"results/{{scan}}/{kind}-{{settings}}"),
         log:

@@ -28,8 +28,8 @@ EXPERIMENTS = {each.name: each for each in (Tables(), SeedSweep(), Purity(), Noi
 class ExperimentsPlan(Plan):
     """Targets are names of experiments."""
 
-    def __init__(self, config):
-        super().__init__(config)
+    def __init__(self, config, out=None):
+        super().__init__(config, out)
         self.options = SimpleNamespace(starts=config["starts"], seeds=config["seeds"],
                                        methods=config["methods"])
 
@@ -46,7 +46,7 @@ class ExperimentsPlan(Plan):
         return self.item_of_result[f"results/{wildcards.scan}/{kind}-{wildcards.settings}.json"]
 
     def wanted(self, target):
-        return [Wanted(item.scan.name, item.result(), (item.log(),))
+        return [Wanted(item.scan.name, item.result(), (self.step(item.result(), item.log()),))
                 for item in self.items(target)]
 
     def done(self, target):
@@ -55,9 +55,7 @@ class ExperimentsPlan(Plan):
         return [(item, read_result(item.result())) for item in self.items(target)
                 if item.scan.name not in left_out]
 
-    @staticmethod
-    def files(target):
-        """Those of a summary whose names are known before."""
+    def files(self, target):
         return [f"{target}{end}" for end in (".csv", "_scans.csv", ".md", "_remarks.txt")] + list(
             getattr(EXPERIMENTS[target], "more_files", ()))
 

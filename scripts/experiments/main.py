@@ -5,20 +5,20 @@
 #
 # The command line of the experiments of the paper; scripts/experiments.sh starts this.
 
+import argparse
 import os
 import sys
 
 from experiments_plan import EXPERIMENTS, ExperimentsPlan
 from launch import add_folders, at_least_one, launch, parser_for, read_options
 from peers import METHODS
-from plan import complaint
-from scans import scans_of
+from plan import listed_scans
 
 
 def methods(text):
     chosen = text.split(",")
     if not set(chosen) <= set(METHODS):
-        raise ValueError
+        raise argparse.ArgumentTypeError(f"'{text}'; it must be some of {','.join(METHODS)}")
     return chosen
 
 
@@ -40,15 +40,12 @@ def read_command_line(arguments):
 
 def main(arguments):
     options, others = read_command_line(arguments)
-    wrong = complaint(options.dataset, scans_of(options.dataset, options.out))
-    if wrong:
-        sys.exit(wrong)
     config = {
         "dataset": os.path.abspath(options.dataset),
         "programs": os.path.abspath(options.programs),
         "targets": list(EXPERIMENTS) if options.experiment == "all" else [options.experiment],
-        **{name: getattr(options, name)
-           for name in ("scans", "starts", "seeds", "methods", "threads")}}
+        "scans": listed_scans(options.dataset, options.out, options.scans),
+        **{name: getattr(options, name) for name in ("starts", "seeds", "methods", "threads")}}
     sys.exit(launch(ExperimentsPlan, "experiments.smk", config, options, others))
 
 

@@ -7,10 +7,12 @@
 # or not at all.
 
 import argparse
+import contextlib
+import hashlib
 import json
 import os
+import shutil
 import sys
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
@@ -59,11 +61,21 @@ def read_command_line():
     return parser.parse_args()
 
 
+@contextlib.contextmanager
+def folder_for(result):
+    """For temporary files; what a killed measurement left there is removed first."""
+    folder = Path("work") / hashlib.sha256(str(result).encode()).hexdigest()[:16]
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder)
+
+
 def measure(item, programs, result):
     measurement = MEASUREMENTS[item.kind]
-    Path("work").mkdir(exist_ok=True)
-    with tempfile.TemporaryDirectory(dir="work") as name:
-        folder = Path(name)
+    with folder_for(result) as folder:
         measured = measurement.work(item, programs, folder)
         stored = {"remarks": remarks_in(folder), "result": measured}
         new = folder / "result.json"

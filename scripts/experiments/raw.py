@@ -37,13 +37,16 @@ def has_color(scan):
     """Whether the header of a file names colors. Folders of S3DIS and ScanNet have them."""
     if scan.path.is_dir():
         return True
-    with open(scan.path, "rb") as file:
-        for line in file:
-            words = set(line.split())
-            if words & {b"rgb", b"rgba", b"red"}:
-                return True
-            if words & {b"DATA", b"end_header"}:
-                return False
+    try:
+        with open(scan.path, "rb") as file:
+            for line in file:
+                words = set(line.split())
+                if words & {b"rgb", b"rgba", b"red"}:
+                    return True
+                if words & {b"DATA", b"end_header"}:
+                    return False
+    except OSError:
+        pass  # its measurements will say so
     return False
 
 

@@ -5,6 +5,7 @@
 #
 # The scans of a dataset: room folders of S3DIS, scan folders of ScanNet, PCD and PLY files.
 
+import hashlib
 import os
 import re
 from dataclasses import dataclass
@@ -34,18 +35,19 @@ class Scan:
         return [path for path in [str(self.path)] if os.path.exists(path)]
 
     def fingerprint(self):
-        """Bytes and time of the newest change: another one is another scan. Of the table
+        """Of names, sizes and times of its files: another one is another scan. Of the table
         of classes of ScanNet, too, which may be above the folder, and of the truth beside a
         generated scan."""
         files = [Path(path) for path in self.existing()]
         if self.path.is_dir():
-            files = [file for file in self.path.rglob("*") if file.is_file()]
-        stats = [file.stat() for file in files]
+            files = sorted(file for file in self.path.rglob("*") if file.is_file())
         table = [] if not self.is_scannet else class_table(self.path)
-        return [sum(each.st_size for each in stats),
-                max((each.st_mtime_ns for each in stats), default=0),
-                *([each.stat().st_size, each.stat().st_mtime_ns]
-                  for each in (*table, *truth_file(self.path)))]
+        seen = hashlib.sha256()
+        for file in (*files, *table, *truth_file(self.path)):
+            stat = file.stat()
+            place = os.path.relpath(file, self.path)
+            seen.update(os.fsencode(f"{place}\0{stat.st_size}\0{stat.st_mtime_ns}\0"))
+        return seen.hexdigest()[:16]
 
 
 def class_table(folder):
@@ -94,7 +96,7 @@ def find_scans(dataset, passed_over):
 
 def scans_of(dataset, passed_over):
     """Those of a dataset's folder, which may also be a single scan."""
-    single = scan_at(dataset, dataset.resolve().name)
+    single = scan_at(dataset, os.path.basename(os.path.abspath(dataset)))
     return [single] if single else find_scans(dataset, passed_over)
 
 

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from experiments_plan import EXPERIMENTS, ExperimentsPlan
-from programs import read_json
+from plan import configuration
 from report import write_whole
 
 
@@ -32,7 +32,7 @@ def tell_left_out(path, scans):
 
 
 def main(config, name, partial):
-    plan = ExperimentsPlan(read_json(Path(config)) | {"partial": partial == "True"})
+    plan = ExperimentsPlan(configuration(config, partial))
     try:
         done = plan.done(name)
     except ValueError as error:

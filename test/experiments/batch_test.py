@@ -51,9 +51,9 @@ class Batch(unittest.TestCase):
         self.options.write_text(f"# of a test\n\nsegment {' '.join(segment)}\n"
                                 f"abstract {' '.join(ABSTRACT)}  # few\n")
 
-    def run_it(self, tool, *more):
-        command = [sys.executable, "-B", str(SCRIPTS / "batch.py"), tool, str(self.scans),
-                   str(self.out), "--options", str(self.options), *more, "--programs",
+    def run_it(self, tool, *more, scans=None, out=None):
+        command = [sys.executable, "-B", str(SCRIPTS / "batch.py"), tool, str(scans or self.scans),
+                   str(out or self.out), "--options", str(self.options), *more, "--programs",
                    str(PROGRAMS)]
         return subprocess.run(command, capture_output=True, text=True, timeout=300)
 
@@ -105,9 +105,21 @@ class Batch(unittest.TestCase):
                  for path, time in stamps(self.out).items() if after[path] != time}
         self.assertEqual(again, {"segment", "evaluate"})
 
+        # A scan that is bad by now: what was made of it before does not count.
+        broken.write_text("no cloud any more\n")
+        done = self.run_it("evaluate")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f"1 failed; they are not in the tables:\n  broken (evaluate): {broken}: ",
+                      done.stderr)
+        self.assertEqual([row["name"] for row in rows_of(self.out / "evaluate.csv")], list(names))
+        for each in (thin, room / "Annotations", scan):
+            shutil.rmtree(each) if each.is_dir() else each.unlink()
+        self.assertEqual(self.run_it("segment").returncode, 1)
+        self.assertFalse((self.out / "segment.csv").exists())
+
     def test_wrong_calls(self):
-        def refused(code, text, tool="segment", *more):
-            done = self.run_it(tool, *more)
+        def refused(code, text, tool="segment", *more, scans=None, out=None):
+            done = self.run_it(tool, *more, scans=scans, out=out)
             self.assertEqual(done.returncode, code, done.stderr)
             self.assertIn(text, done.stderr)
             self.assertFalse(self.out.exists())
@@ -117,13 +129,26 @@ class Batch(unittest.TestCase):
             (self.scans / name).write_text("")
         refused(1, "2 scans would have outputs of the name a;")
         (self.scans / "a.ply").rename(self.scans / "a{b}.ply")
-        refused(1, "must be without { } , = and :")
+        refused(1, "its path must be printable, in UTF-8, and without { }")
+        (self.scans / "a{b}.ply").rename(self.scans / "a:b.ply")
+        refused(1, "its name in the dataset must be printable, in UTF-8, and without , = :")
         refused(2, "invalid choice: 'no'", "no")
-        refused(2, "--cores", "segment", "--cores", "0")
+        refused(2, "--cores: '0'; it must be a whole number, at least 1", "segment", "--cores",
+                "0")
+        refused(2, "is no folder, PCD or PLY file", scans=self.options)
+        refused(2, "must be a folder of its own", out=self.scans)
+        refused(2, "must be a folder of its own", out=self.options)
+        room = self.scans / "office_1"
+        (room / "Annotations").mkdir(parents=True)
+        refused(2, f"must not be in a scan, {room}", out=room / "out")
+        shutil.rmtree(room)
         for line, text in (("segment --seeds none", "--seeds is 'none'"),
                            ("segments", "line 1: 'segments' is not expected here"),
                            ("segment\nsegment", "line 2: 'segment' is not expected here"),
                            ("segment 'open", "No closing quotation"),
+                           ("segment --help", "options of its work on a scan only"),
+                           ("segment another.pcd", "options of its work on a scan only"),
+                           ("abstract --mesh-format=no", "--mesh-format is 'no'"),
                            ("abstract --threads 2", "'--threads' cannot be specified more")):
             self.options.write_text(line)
             refused(2, text)

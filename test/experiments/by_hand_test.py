@@ -104,6 +104,17 @@ class ByHand(unittest.TestCase):
                     self.assertNotIn(scan.fingerprint(), seen)
                     seen.append(scan.fingerprint())
 
+    def test_names_are_part_of_a_scan(self):
+        with tempfile.TemporaryDirectory() as name:
+            scan = Scan("room", Path(name))
+            (scan.path / "Annotations").mkdir()
+            chair = scan.path / "Annotations" / "chair_1.txt"
+            chair.write_text("0 0 0 0 0 0\n")
+            before = scan.fingerprint()
+            self.assertEqual(scan.fingerprint(), before)
+            chair.rename(chair.with_name("table_1.txt"))
+            self.assertNotEqual(scan.fingerprint(), before)
+
     def test_color_is_looked_for_in_the_header(self):
         with tempfile.TemporaryDirectory() as name:
             for i, (header, expected) in enumerate((
@@ -119,6 +130,7 @@ class ByHand(unittest.TestCase):
                 self.assertEqual("color" in settings_of(scan)["all"], expected)
                 self.assertEqual(place_of(scan), "office")
             self.assertTrue(has_color(Scan("room", Path(name))))
+            self.assertFalse(has_color(Scan("gone", Path(name) / "gone.pcd")))
 
     def test_auto_is_compared_with_the_better(self):
         def runs(*scores):

@@ -6,7 +6,7 @@
 #
 # The experiments and the batch by Slurm: starts one of a single node on this machine, as root,
 # with files and ports of its own, runs the workflows on it by the profile, and compares what
-# they make with that of a local run. A scan that fails is among the scans.
+# they make with that of a local run. A scan that fails is among the scans, and one run is killed.
 #
 # usage: slurm_test.sh [PROGRAMS_FOLDER]
 #   PROGRAMS_FOLDER   default: build/dev/bin
@@ -81,6 +81,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
+SlurmdParameters=config_overrides
 SchedulerParameters=sched_interval=1,batch_sched_delay=0
 MpiDefault=none
 ReturnToService=2
@@ -102,13 +103,20 @@ mkdir "$scans"
 "$programs/make_dataset_folders" "$scans"
 echo "no cloud" >"$scans/broken.pcd"
 
+profile=(--profile scripts/experiments/profiles/slurm --latency-wait 5)
+
+# jobs_in FOLDER: how many jobs of Slurm a workflow has had.
+jobs_in() {
+  find "$1" -path '*/logs/slurm/*.log' | wc -l
+}
+
 # both NAME EXIT_CODE COMMAND_LINE ARGUMENTS ...: run a workflow here and by Slurm.
 both() {
   local name=$1 code=$2 command_line=$3 first=$4 kind failed
   shift 4
   for kind in local slurm; do
     local more=()
-    [ $kind = local ] || more=(--profile "$project/scripts/experiments/profiles/slurm" --latency-wait 5)
+    [ $kind = local ] || more=("${profile[@]}")
     failed=0
     run /usr/bin/python3 -B "scripts/experiments/$command_line" "$first" "$scans" \
       "$folder/$name-$kind" "$@" "${more[@]}" --programs "$programs" \
@@ -116,8 +124,7 @@ both() {
     tail -n 3 "$folder/$name-$kind.err"
     [ "$failed" = "$code" ] || { cat "$folder/$name-$kind.err" >&2; return 1; }
   done
-  # Each scan was a job of Slurm.
-  ls "$folder/$name-slurm/logs/slurm/"*.log >/dev/null
+  [ "$(jobs_in "$folder/$name-slurm")" -gt 0 ]
 }
 
 step "Experiment"
@@ -134,5 +141,20 @@ for cloud in Area_1/office_1 scans/scene0000_00; do
   cmp "$folder"/batch-{local,slurm}/segment/$cloud.pcd
 done
 
+step "Batch that is killed when its jobs have begun"
+batch=(/usr/bin/python3 -B scripts/experiments/batch.py evaluate "$scans" "$folder/killed-slurm"
+  --options "$folder/options" "${profile[@]}" --programs "$programs")
+setsid "${batch[@]}" >"$folder/killed.out" 2>"$folder/killed.err" &
+killed=$!
+within 60 grep -q "^Submitted job" "$folder/killed.err"
+kill -KILL -- -$killed
+wait $killed || true
+[ ! -e "$folder/killed-slurm/evaluate.csv" ]
+"${batch[@]}" >"$folder/killed.out" 2>"$folder/killed.err" || [ $? = 1 ]
+cmp "$folder"/{batch-local,killed-slurm}/evaluate.csv
+# Jobs that ran meanwhile were taken up.
+[ "$(jobs_in "$folder/killed-slurm")" = "$(jobs_in "$folder/batch-slurm")" ] ||
+  { cat "$folder/killed.err" >&2; exit 1; }
+
 step "Summary"
-echo "The workflows make the same by Slurm as without it: $(ls "$folder"/*-slurm/logs/slurm/*.log | wc -l) jobs."
+echo "The workflows make the same by Slurm as without it, killed or not: $(jobs_in "$folder") jobs."

@@ -57,9 +57,12 @@ struct Run {
   std::vector<ConvexPart> parts;
   std::string refusal;
 
-  Run(const TortureCase& one, unsigned int threads)
+  Run(const TortureCase& one,
+      unsigned int threads,
+      GroupRule groups = setting::groups.initial)
   : abstraction(one.abstraction(threads))
   {
+    abstraction.setGroupRule(groups);
     try {
       abstraction.reconstruct(parts);
     }
@@ -185,14 +188,23 @@ checkGroups(const TortureCase& one, const Grouping& grouping)
            "seed " + std::to_string(k) + " has lost its point");
 }
 
-void
-checkMerges(const TortureCase& one, const Grouping& grouping, const MergeTree& made)
+MergingSettings
+mergingSettings(const TortureCase& one)
 {
   MergingSettings settings;
   settings.group_samples = static_cast<std::size_t>(one.group_samples);
-  const MergeTree whole = mergeGroups(grouping, settings);
+  return settings;
+}
+
+/** \param[in] whole the tree to its end, \a made may have stopped before */
+void
+checkMerges(const TortureCase& one,
+            const MergeTree& whole,
+            std::size_t groups,
+            const MergeTree& made)
+{
   const std::vector<MergeStep>& steps = whole.steps();
-  expect(steps.size() + 1 == grouping.numberOfSeeds(), "the number of merges");
+  expect(steps.size() + 1 == groups, "the number of merges");
   for (std::size_t n = 0; n < steps.size(); ++n) {
     expect(std::isfinite(steps[n].height) && steps[n].height >= 0.0, "a height");
     expect(n == 0 || steps[n].height >= steps[n - 1].height * (1.0 - 1e-12),
@@ -207,9 +219,10 @@ checkMerges(const TortureCase& one, const Grouping& grouping, const MergeTree& m
 }
 
 void
-checkPartsOfGroups(const TortureCase& one, const Run& run)
+checkPartsOfGroups(const TortureCase& one,
+                   const std::vector<pcl::index_t>& groups,
+                   const Run& run)
 {
-  const std::vector<pcl::index_t> groups = run.grouping().groups();
   const auto grouped = static_cast<std::size_t>(
       std::count_if(groups.begin(), groups.end(), [](auto g) { return g >= 0; }));
   checkParts(*one.cloud,
@@ -217,6 +230,32 @@ checkPartsOfGroups(const TortureCase& one, const Run& run)
              one.hull,
              grouped,
              run.abstraction.getNumberOfDroppedPoints());
+}
+
+/** Patches in the place of groups of seeds. */
+void
+checkPatches(const TortureCase& one)
+{
+  const Run on_one(one, 1, GroupRule::patches);
+  const Run on_three(one, 3, GroupRule::patches);
+  expect(on_three.refusal == on_one.refusal, "3 threads refuse other patches");
+  if (!on_one.refusal.empty())
+    return;
+  const SmoothPatches& patches = *on_one.abstraction.getPatches();
+  const std::size_t number = patches.numberOfPatches();
+  expect(number >= 1 && number <= static_cast<std::size_t>(one.seeds),
+         "the number of patches");
+  const std::vector<pcl::index_t> groups = patches.groups();
+  expect(on_three.abstraction.getPatches()->groups() == groups,
+         "other patches on 3 threads");
+  const MergeTree& made = on_one.abstraction.getMergeTree();
+  expect(same(on_three.abstraction.getMergeTree(), made),
+         "other merges of patches on 3 threads");
+  expect(sameParts(on_three.parts, on_one.parts),
+         "other parts of patches on 3 threads");
+  checkMerges(
+      one, mergeGroups(patches, one.samples, mergingSettings(one)), number, made);
+  checkPartsOfGroups(one, groups, on_one);
 }
 
 bool
@@ -340,8 +379,12 @@ check(const TortureCase& one, TortureVerdict& verdict)
   checkProposal(one, grouping);
   checkOracle(one, grouping);
   checkGroups(one, grouping);
-  checkMerges(one, grouping, run.abstraction.getMergeTree());
-  checkPartsOfGroups(one, run);
+  checkMerges(one,
+              mergeGroups(grouping, mergingSettings(one)),
+              grouping.numberOfSeeds(),
+              run.abstraction.getMergeTree());
+  checkPartsOfGroups(one, grouping.groups(), run);
+  checkPatches(one);
   checkTightness(one, run);
   checkHistory(one, grouping);
   checkLabels(one, grouping);

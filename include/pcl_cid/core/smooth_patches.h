@@ -31,20 +31,20 @@ namespace pcl_cid {
  *  first. See doc/core/smooth_patches.md.
  *
  *  Immutable: const calls may run concurrently.
- *  \note Memory: 4 bytes a point. */
+ *  \note Memory: 4 bytes a point, and the scan. */
 class PCL_CID_EXPORT SmoothPatches {
 public:
   using ConstPtr = std::shared_ptr<const SmoothPatches>;
 
   /** \brief Grow regions, keep the largest, and fill in the rest.
    *  \param[in] scan not null
-   *  \param[in] most K, the largest number of patches, at least 1; fewer come where the
-   *  surface has no more regions
+   *  \param[in] max_patches K, at least 1; fewer come where the surface has no more
+   *  regions
    *  \param[in] execution threads and progress; never change the result
    *  \throws CIDException when there is no scan, or K is 0; CIDCancelled
-   *  \note Cost: O(N log N), on one thread but for the search of neighbors. */
+   *  \note Cost: O(N log N); regions grow and are filled in on one thread. */
   explicit SmoothPatches(PreparedScan::ConstPtr scan,
-                         std::size_t most = setting::seeds.initial,
+                         std::size_t max_patches = setting::seeds.initial,
                          const ExecutionOptions& execution = {});
 
   const PreparedScan&

@@ -11,12 +11,14 @@
 
 #include "base/parallel_for.h"
 #include "base/progress.h"
+#include "field/block_tree.h"
 
-#include <pcl_cid/core/distance_field.h>
-
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace pcl_cid {
 namespace {
@@ -78,9 +80,57 @@ private:
   std::priority_queue<Way, std::vector<Way>, std::greater<>> ways_;
 };
 
+/** The points that are in patches, by place. */
+class PatchedPoints {
+public:
+  /** \param[in] patches of the points, of lowest number first at equal distance */
+  PatchedPoints(const Points& points,
+                std::vector<pcl::index_t> patches,
+                int threads,
+                Progress& progress)
+  : tree_(points, threads, progress), patches_(std::move(patches))
+  {
+  }
+
+  pcl::index_t
+  patchOfNearest(const Eigen::Vector3f& p) const
+  {
+    BlockTree::Nearest nearest;
+    tree_.descend(1, padded(p), nearest);
+    return lowestPatch(1, p, nearest.squared_distance);
+  }
+
+private:
+  /** The lowest patch of the points below a node that are at a distance, which is the
+   *  least there is. */
+  pcl::index_t
+  lowestPatch(std::size_t node, const Eigen::Vector3f& p, float squared_distance) const
+  {
+    if (tree_.box(node).squaredDistance(padded(p)) >
+        squared_distance * rounding::widening)
+      return none;
+    if (!tree_.isBlock(node))
+      return std::min(lowestPatch(2 * node, p, squared_distance),
+                      lowestPatch(2 * node + 1, p, squared_distance));
+    const PointBlock& block = tree_.block(node - tree_.size());
+    const auto squared = block.squaredDistances(p);
+    pcl::index_t lowest = none;
+    for (int row = 0; row < block.count; ++row)
+      if (squared[row] == squared_distance)
+        lowest = std::min(lowest, patches_[static_cast<std::size_t>(block.index[row])]);
+    return lowest;
+  }
+
+  static constexpr pcl::index_t none = std::numeric_limits<pcl::index_t>::max();
+
+  BlockTree tree_;
+  std::vector<pcl::index_t> patches_;
+};
+
 void
 followNearest(const Points& points,
-              const ExecutionOptions& execution,
+              int threads,
+              Progress& progress,
               std::vector<pcl::index_t>& patches)
 {
   Points reached;
@@ -96,15 +146,16 @@ followNearest(const Points& points,
   }
   if (others.empty())
     return;
-  DistanceField::Options options;
-  options.execution = execution;
-  const DistanceField field(reached, options);
-  Progress progress(execution.progress);
-  const int threads = threadCount(execution.threads);
-  parallelForEach(others.size(), threads, progress, {1.0, 1.0}, [&](std::size_t k) {
-    const pcl::index_t nearest = field.nearest(points[others[k]]);
-    patches[others[k]] = patch_of_reached[static_cast<std::size_t>(nearest)];
-  });
+  const PatchedPoints patched(reached, std::move(patch_of_reached), threads, progress);
+  parallelFor(others.size(),
+              256,
+              threads,
+              progress,
+              {0.0, 0.0},
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k)
+                  patches[others[k]] = patched.patchOfNearest(points[others[k]]);
+              });
 }
 
 } // namespace
@@ -117,7 +168,7 @@ fillPatches(const SurfaceGraph& graph,
 {
   Progress progress(execution.progress);
   WaysAlongSurface(graph, points, patches).follow(progress);
-  followNearest(points, execution, patches);
+  followNearest(points, threadCount(execution.threads), progress, patches);
   progress.check(1.0);
 }
 

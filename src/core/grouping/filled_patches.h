@@ -22,8 +22,9 @@ namespace pcl_cid {
 
 /** \brief Give each point that is in no patch to one (*ours*): to the patch with the
  *  shortest way to it along edges of the graph, added up in float from the patch on; of
- *  equally short ways to that of lowest number. What no way leads to goes where the
- *  point nearest to it is.
+ *  equally short ways to that of lowest number. What no way leads to goes to the patch
+ *  of the nearest of all points that were in one or were reached; at equal distance to
+ *  that of lowest number.
  *  \param[in] points of the graph
  *  \param[in,out] patches the number of the patch of each point, -1 for none; at least
  *  one is in a patch

@@ -17,32 +17,18 @@
 
 #include <pcl_cid/core/smooth_patches.h>
 
-#include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
 namespace pcl_cid {
-namespace {
-
-std::vector<std::size_t>
-largestOf(std::vector<std::size_t> sizes, std::size_t most)
-{
-  std::sort(sizes.begin(), sizes.end(), std::greater<>());
-  sizes.resize(std::min(sizes.size(), most));
-  return sizes;
-}
-
-} // namespace
-
 SmoothPatches::SmoothPatches(PreparedScan::ConstPtr scan,
-                             std::size_t most,
+                             std::size_t max_patches,
                              const ExecutionOptions& execution)
 : scan_(std::move(scan))
 {
   if (!scan_)
     throw CIDException("there is no prepared scan to find patches of; give one");
-  requireAtLeast("number of patches", most, std::size_t{1});
+  requireAtLeast("number of patches", max_patches, std::size_t{1});
   const Points& points = scan_->working().points();
   const NearestNeighbors neighbors(
       points, partOf(execution, 0.0, 0.3), NearestNeighbors::most);
@@ -53,9 +39,10 @@ SmoothPatches::SmoothPatches(PreparedScan::ConstPtr scan,
     own_graph.emplace(points, neighbors);
   const SurfaceGraph& graph = own_graph ? *own_graph : *scan_->graph();
   Progress progress(partOf(execution, 0.4, 0.7).progress);
-  const SmoothRegions regions = growRegions(graph, shape, progress);
-  patches_ = largestRegions(regions, most);
-  grown_sizes_ = largestOf(regions.sizes, most);
+  SmoothRegions largest =
+      largestRegions(growRegions(graph, shape, progress), max_patches);
+  patches_ = std::move(largest.of_points);
+  grown_sizes_ = std::move(largest.sizes);
   fillPatches(graph, points, partOf(execution, 0.7, 1.0), patches_);
 }
 

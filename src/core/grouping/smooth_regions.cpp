@@ -47,11 +47,13 @@ growRegion(const SurfaceGraph& graph,
            const std::vector<Eigen::Vector3f>& normals,
            std::size_t first,
            pcl::index_t number,
+           Progress& progress,
            std::vector<pcl::index_t>& region)
 {
   std::vector<std::size_t> reached = {first};
   region[first] = number;
-  for (std::size_t k = 0; k < reached.size(); ++k)
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    progress.poll();
     graph.forEachEdge(graph.vertexOf(reached[k]), [&](SurfaceGraph::Vertex vertex) {
       const std::size_t q = graph.pointOf(vertex);
       if (region[q] >= 0 || !areAlike(normals[first], normals[q]))
@@ -59,6 +61,7 @@ growRegion(const SurfaceGraph& graph,
       region[q] = number;
       reached.push_back(q);
     });
+  }
   return reached.size();
 }
 
@@ -72,17 +75,17 @@ growRegions(const SurfaceGraph& graph, const SurfaceShape& shape, Progress& prog
   for (const std::size_t first : flattestFirst(shape.curvatures)) {
     if (regions.of_points[first] >= 0)
       continue;
-    progress.poll();
     regions.sizes.push_back(growRegion(graph,
                                        shape.normals,
                                        first,
                                        static_cast<pcl::index_t>(regions.sizes.size()),
+                                       progress,
                                        regions.of_points));
   }
   return regions;
 }
 
-std::vector<pcl::index_t>
+SmoothRegions
 largestRegions(const SmoothRegions& regions, std::size_t most)
 {
   std::vector<std::size_t> order(regions.sizes.size());
@@ -92,13 +95,15 @@ largestRegions(const SmoothRegions& regions, std::size_t most)
   });
   order.resize(std::min(order.size(), most));
   std::vector<pcl::index_t> place(regions.sizes.size(), -1);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    place[order[k]] = static_cast<pcl::index_t>(k);
-  std::vector<pcl::index_t> places;
-  places.reserve(regions.of_points.size());
+  SmoothRegions largest;
+  for (const std::size_t region : order) {
+    place[region] = static_cast<pcl::index_t>(largest.sizes.size());
+    largest.sizes.push_back(regions.sizes[region]);
+  }
+  largest.of_points.reserve(regions.of_points.size());
   for (const pcl::index_t region : regions.of_points)
-    places.push_back(place[static_cast<std::size_t>(region)]);
-  return places;
+    largest.of_points.push_back(place[static_cast<std::size_t>(region)]);
+  return largest;
 }
 
 } // namespace pcl_cid

@@ -20,9 +20,9 @@
 
 namespace pcl_cid {
 
-/** \brief Regions of a surface: each point is in one of them. */
+/** \brief Regions of a surface: each point is in one of them, or in none. */
 struct SmoothRegions {
-  std::vector<pcl::index_t> of_points; ///< the number of the region of each
+  std::vector<pcl::index_t> of_points; ///< the number of the region of each, or -1
   std::vector<std::size_t> sizes;      ///< in points, by number
 };
 
@@ -32,17 +32,17 @@ struct SmoothRegions {
  *  the first point.
  *
  *  At equal curvature the point of lowest index is first. A point without normal is
- *  like others without, so that what is thin enough to be a line is a region, too.
+ *  like others without, so that points on a straight line are a region, too.
  *  \param[in] shape of the points of the graph
+ *  \return regions that have all points
  *  \throws CIDCancelled
  *  \note Cost: O(N log N). */
 SmoothRegions
 growRegions(const SurfaceGraph& graph, const SurfaceShape& shape, Progress& progress);
 
 /** \brief The largest regions, larger ones first, at equal size the one that was first.
- *  \param[in] most how many to keep
- *  \return for each point the place of its region among them, -1 for the others */
-std::vector<pcl::index_t>
+ *  \param[in] most how many to keep */
+SmoothRegions
 largestRegions(const SmoothRegions& regions, std::size_t most);
 
 } // namespace pcl_cid

@@ -16,8 +16,8 @@
 namespace pcl_cid {
 namespace {
 
-/** Patches that a thread takes at a time: few edges lead out of so many. */
-constexpr std::size_t many_patches = 2048;
+/** Runs that a thread takes at a time: few edges lead out of so many. */
+constexpr std::size_t many_runs = 2048;
 
 /** The piece of a vertex that went to another group, until it is found. */
 constexpr SurfacePieces::Vertex not_found = SurfacePieces::mainland - 1;
@@ -31,7 +31,7 @@ SurfacePieces::SurfacePieces(const SurfaceGraph& graph)
 : graph_(graph)
 , seeds_{no_seed}
 , groups_(graph.size(), 0)
-, is_whole_(graph.patches())
+, is_whole_(graph.runs())
 , lower_(graph.size(), not_found)
 {
 }
@@ -46,7 +46,7 @@ SurfacePieces::update(const pcl::Indices& seeds,
   Touched touched(seeds.size());
   takeOver(groups, change.number, touched, threads, progress);
   const std::vector<Vertex> before = lower_;
-  joinPatches(touched, threads, progress);
+  joinRuns(touched, threads, progress);
   for (std::size_t number = 0; number < seeds.size(); ++number)
     if (touched[number])
       lower_[lowest(graph_.vertexOf(static_cast<std::size_t>(seeds[number])))] =
@@ -81,7 +81,7 @@ SurfacePieces::renumber(const pcl::Indices& seeds)
   return numbers;
 }
 
-/** The groups, which patches are whole, and what changed. */
+/** The groups, which runs are whole, and what changed. */
 void
 SurfacePieces::takeOver(const std::vector<pcl::index_t>& groups,
                         const std::vector<pcl::index_t>& number,
@@ -94,8 +94,8 @@ SurfacePieces::takeOver(const std::vector<pcl::index_t>& groups,
       touched[static_cast<std::size_t>(group)] = true;
   };
   const auto take_range = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t patch = begin; patch < end; ++patch) {
-      const auto [first, last] = graph_.patch(patch);
+    for (std::size_t run = begin; run < end; ++run) {
+      const auto [first, last] = graph_.run(run);
       bool is_whole = true;
       for (Vertex v = first; v < last; ++v) {
         const pcl::index_t before = number[static_cast<std::size_t>(groups_[v])];
@@ -107,23 +107,22 @@ SurfacePieces::takeOver(const std::vector<pcl::index_t>& groups,
         touch(groups_[v]);
         lower_[v] = not_found;
       }
-      is_whole_[patch] = is_whole;
+      is_whole_[run] = is_whole;
     }
   };
-  parallelFor(
-      graph_.patches(), many_patches, threads, progress, {1.0, 1.0}, take_range);
+  parallelFor(graph_.runs(), many_runs, threads, progress, {1.0, 1.0}, take_range);
 }
 
-/** Ranges of patches side by side, then the edges that lead from one to another. */
+/** Ranges of runs side by side, then the edges that lead from one to another. */
 void
-SurfacePieces::joinPatches(const Touched& touched, int threads, Progress& progress)
+SurfacePieces::joinRuns(const Touched& touched, int threads, Progress& progress)
 {
   using Pairs = std::vector<std::pair<Vertex, Vertex>>;
-  std::vector<Pairs> across((graph_.patches() + many_patches - 1) / many_patches);
+  std::vector<Pairs> across((graph_.runs() + many_runs - 1) / many_runs);
   const auto join_range = [&](std::size_t begin, std::size_t end) {
-    const Vertex first = graph_.patch(begin).begin;
-    const Vertex last = graph_.patch(end - 1).end;
-    Pairs& leading_out = across[begin / many_patches];
+    const Vertex first = graph_.run(begin).begin;
+    const Vertex last = graph_.run(end - 1).end;
+    Pairs& leading_out = across[begin / many_runs];
     for (std::size_t number = begin; number < end; ++number)
       separate(number, touched);
     for (std::size_t number = begin; number < end; ++number)
@@ -136,25 +135,24 @@ SurfacePieces::joinPatches(const Touched& touched, int threads, Progress& progre
           leading_out.emplace_back(v, q);
       });
   };
-  parallelFor(
-      graph_.patches(), many_patches, threads, progress, {1.0, 1.0}, join_range);
+  parallelFor(graph_.runs(), many_runs, threads, progress, {1.0, 1.0}, join_range);
   for (const Pairs& pairs : across)
     for (const auto& [v, q] : pairs)
       join(v, q);
 }
 
-/** The touched vertices of a patch are in pieces of their own, or, if it is whole, in
+/** The touched vertices of a run are in pieces of their own, or, if it is whole, in
  *  one. */
 void
 SurfacePieces::separate(std::size_t number, const Touched& touched)
 {
-  const auto [first, last] = graph_.patch(number);
+  const auto [first, last] = graph_.run(number);
   for (Vertex v = first; v < last; ++v)
     if (isTouched(v, touched))
       lower_[v] = is_whole_[number] ? first : v;
 }
 
-/** A whole patch joins the whole ones next to it; the others join point by point, with
+/** A whole run joins the whole ones next to it; the others join point by point, with
  *  whole ones, too. */
 template <typename Visit>
 void
@@ -162,12 +160,12 @@ SurfacePieces::forEachPair(std::size_t number,
                            const Touched& touched,
                            const Visit& visit) const
 {
-  const auto [first, last] = graph_.patch(number);
+  const auto [first, last] = graph_.run(number);
   if (is_whole_[number]) {
     if (isTouched(first, touched))
-      graph_.forEachLaterPatch(number, [&, first = first](std::size_t later) {
+      graph_.forEachLaterRun(number, [&, first = first](std::size_t later) {
         if (is_whole_[later])
-          visit(first, graph_.patch(later).begin);
+          visit(first, graph_.run(later).begin);
       });
     return;
   }

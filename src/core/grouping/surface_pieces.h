@@ -25,7 +25,7 @@ namespace pcl_cid {
  *  its lowest vertex.
  *
  *  From one update to the next, only groups that gained or lost points are looked at.
- *  Of these, most patches are all of one group, *whole*, and in one piece by
+ *  Of these, most runs are all of one group, *whole*, and in one piece by
  *  themselves: only the edges of the others are looked at one by one.
  *  \note Memory: about 8 bytes a point. */
 class SurfacePieces {
@@ -85,7 +85,7 @@ private:
            Progress& progress);
 
   void
-  joinPatches(const Touched& touched, int threads, Progress& progress);
+  joinRuns(const Touched& touched, int threads, Progress& progress);
 
   void
   separate(std::size_t number, const Touched& touched);
@@ -109,7 +109,7 @@ private:
   const SurfaceGraph& graph_;
   pcl::Indices seeds_;
   std::vector<pcl::index_t> groups_;   ///< by vertex
-  std::vector<std::uint8_t> is_whole_; ///< by patch
+  std::vector<std::uint8_t> is_whole_; ///< by run
   /** By vertex: itself or a lower one of its piece; in the end the lowest, or that it
    *  is on the mainland. */
   std::vector<Vertex> lower_;

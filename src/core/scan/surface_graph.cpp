@@ -20,8 +20,8 @@ namespace {
  *  surface: edges of three spacings. */
 constexpr float longest_edge = 2.0f;
 
-/** Points of a patch at most: more are seldom of one group, fewer spare less. */
-constexpr std::uint32_t most_of_patch = 32;
+/** Points of a run at most: more are seldom of one group, fewer spare less. */
+constexpr std::uint32_t most_of_run = 32;
 
 } // namespace
 
@@ -29,8 +29,8 @@ SurfaceGraph::SurfaceGraph(const Points& points, const NearestNeighbors& neighbo
 {
   order(neighbors);
   const Listed listed = listEdges(points, neighbors);
-  makeMutual(listed, cutIntoPatches(listed));
-  linkPatches();
+  makeMutual(listed, cutIntoRuns(listed));
+  linkRuns();
 }
 
 /** Points that are near each other in a row, those at one place together. */
@@ -83,16 +83,16 @@ SurfaceGraph::listEdges(const Points& points, const NearestNeighbors& neighbors)
   return listed;
 }
 
-/** A patch is what hangs together of a few vertices in a row; they change places so
+/** A run is what hangs together of a few vertices in a row; they change places so
  *  that it is a run.
  *  \return the new place of each vertex */
 std::vector<SurfaceGraph::Vertex>
-SurfaceGraph::cutIntoPatches(const Listed& listed)
+SurfaceGraph::cutIntoRuns(const Listed& listed)
 {
   std::vector<Vertex> place(size());
-  for (Vertex begin = 0; begin < size(); begin += most_of_patch) {
-    const Vertex count = std::min(most_of_patch, static_cast<Vertex>(size()) - begin);
-    std::array<Vertex, most_of_patch> lowest; // of the patch of each of the vertices
+  for (Vertex begin = 0; begin < size(); begin += most_of_run) {
+    const Vertex count = std::min(most_of_run, static_cast<Vertex>(size()) - begin);
+    std::array<Vertex, most_of_run> lowest; // of the run of each of the vertices
     std::iota(lowest.begin(), lowest.end(), Vertex{0});
     for (Vertex k = 0; k < count; ++k)
       listed.forEach(begin + k, [&](Vertex q) {
@@ -107,13 +107,13 @@ SurfaceGraph::cutIntoPatches(const Listed& listed)
     for (Vertex first = 0; first < count; ++first) {
       if (lowest[first] != first)
         continue;
-      patch_begin_.push_back(next);
+      run_begin_.push_back(next);
       for (Vertex k = first; k < count; ++k)
         if (lowest[k] == first)
           place[begin + k] = next++;
     }
   }
-  patch_begin_.push_back(static_cast<Vertex>(size()));
+  run_begin_.push_back(static_cast<Vertex>(size()));
   return place;
 }
 
@@ -143,20 +143,20 @@ SurfaceGraph::makeMutual(const Listed& listed, const std::vector<Vertex>& place)
 }
 
 void
-SurfaceGraph::linkPatches()
+SurfaceGraph::linkRuns()
 {
-  std::vector<std::uint32_t> patch_of(size());
-  for (std::size_t number = 0; number < patches(); ++number)
-    std::fill(patch_of.begin() + patch(number).begin,
-              patch_of.begin() + patch(number).end,
+  std::vector<std::uint32_t> run_of(size());
+  for (std::size_t number = 0; number < runs(); ++number)
+    std::fill(run_of.begin() + run(number).begin,
+              run_of.begin() + run(number).end,
               static_cast<std::uint32_t>(number));
   links_begin_.push_back(0);
-  for (std::size_t number = 0; number < patches(); ++number) {
+  for (std::size_t number = 0; number < runs(); ++number) {
     const auto first = static_cast<std::ptrdiff_t>(links_.size());
-    for (Vertex v = patch(number).begin; v < patch(number).end; ++v)
+    for (Vertex v = run(number).begin; v < run(number).end; ++v)
       forEachEdge(v, [&](Vertex q) {
-        if (patch_of[q] > number)
-          links_.push_back(patch_of[q]);
+        if (run_of[q] > number)
+          links_.push_back(run_of[q]);
       });
     std::sort(links_.begin() + first, links_.end());
     links_.erase(std::unique(links_.begin() + first, links_.end()), links_.end());

@@ -25,8 +25,8 @@ namespace pcl_cid {
  *  list it.
  *
  *  The graph goes by *vertices*: the points in an order in which neighbors are close to
- *  each other in memory. *Patches* are runs of vertices that hang together by edges
- *  among themselves: what holds for all points of a patch, and of the next, need not be
+ *  each other in memory. *Runs* are successive vertices that hang together by edges
+ *  among themselves: what holds for all points of a run, and of the next, need not be
  *  asked edge by edge. */
 class SurfaceGraph {
 public:
@@ -34,8 +34,8 @@ public:
 
   static constexpr std::size_t most_edges = 12;
 
-  /** A run of vertices. */
-  struct Patch {
+  /** From one vertex to before another. */
+  struct Run {
     Vertex begin;
     Vertex end;
   };
@@ -75,24 +75,24 @@ public:
   }
 
   std::size_t
-  patches() const
+  runs() const
   {
-    return patch_begin_.size() - 1;
+    return run_begin_.size() - 1;
   }
 
-  /** \brief The patches follow one another: 0 begins with vertex 0. */
-  Patch
-  patch(std::size_t number) const
+  /** \brief The runs follow one another: 0 begins with vertex 0. */
+  Run
+  run(std::size_t number) const
   {
-    return {patch_begin_[number], patch_begin_[number + 1]};
+    return {run_begin_[number], run_begin_[number + 1]};
   }
 
-  /** \brief Call \a visit with each later patch that an edge joins a patch with. */
+  /** \brief Call \a visit with each later run that an edge joins a run with. */
   template <typename Visit>
   void
-  forEachLaterPatch(std::size_t patch, const Visit& visit) const
+  forEachLaterRun(std::size_t run, const Visit& visit) const
   {
-    for (std::size_t k = links_begin_[patch]; k < links_begin_[patch + 1]; ++k)
+    for (std::size_t k = links_begin_[run]; k < links_begin_[run + 1]; ++k)
       visit(static_cast<std::size_t>(links_[k]));
   }
 
@@ -126,21 +126,21 @@ private:
   listEdges(const Points& points, const NearestNeighbors& neighbors) const;
 
   std::vector<Vertex>
-  cutIntoPatches(const Listed& listed);
+  cutIntoRuns(const Listed& listed);
 
   void
   makeMutual(const Listed& listed, const std::vector<Vertex>& place);
 
   void
-  linkPatches();
+  linkRuns();
 
   pcl::Indices points_;            ///< by vertex
   std::vector<Vertex> vertices_;   ///< by point
   std::vector<std::size_t> begin_; ///< in ends_, of each vertex; one more at the end
   std::vector<Vertex> ends_;
-  std::vector<Vertex> patch_begin_;      ///< one more at the end
-  std::vector<std::size_t> links_begin_; ///< in links_, of each patch; one more
-  std::vector<std::uint32_t> links_;     ///< patches
+  std::vector<Vertex> run_begin_;        ///< one more at the end
+  std::vector<std::size_t> links_begin_; ///< in links_, of each run; one more
+  std::vector<std::uint32_t> links_;     ///< runs
 };
 
 } // namespace pcl_cid

@@ -4,7 +4,7 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * The graph of a surface, its patches, and the pieces of groups, against floods.
+ * The graph of a surface, its runs, and the pieces of groups, against floods.
  */
 
 #include "clouds.h"
@@ -83,19 +83,19 @@ TEST(SurfaceGraph, EdgesAreMutualAndListedOnce)
   }
 }
 
-TEST(SurfaceGraph, PatchesHangTogetherAndAreLinked)
+TEST(SurfaceGraph, RunsHangTogetherAndAreLinked)
 {
   for (const Points& points : cloudsWithRepeats()) {
     const auto scan = withGraph(points);
     const SurfaceGraph& graph = *scan->graph();
-    std::vector<std::size_t> patch_of(graph.size());
+    std::vector<std::size_t> run_of(graph.size());
     Vertex end = 0;
-    for (std::size_t k = 0; k < graph.patches(); ++k) {
-      const auto [first, last] = graph.patch(k);
+    for (std::size_t k = 0; k < graph.runs(); ++k) {
+      const auto [first, last] = graph.run(k);
       ASSERT_EQ(first, end);
       ASSERT_LT(first, last);
       end = last;
-      std::fill(patch_of.begin() + first, patch_of.begin() + last, k);
+      std::fill(run_of.begin() + first, run_of.begin() + last, k);
       const auto inside = [first = first, last = last](Vertex q) {
         return q >= first && q < last;
       };
@@ -106,11 +106,11 @@ TEST(SurfaceGraph, PatchesHangTogetherAndAreLinked)
     std::set<std::pair<std::size_t, std::size_t>> links;
     for (Vertex v = 0; v < graph.size(); ++v)
       graph.forEachEdge(v, [&](Vertex q) {
-        if (patch_of[v] < patch_of[q])
-          expected.insert({patch_of[v], patch_of[q]});
+        if (run_of[v] < run_of[q])
+          expected.insert({run_of[v], run_of[q]});
       });
-    for (std::size_t k = 0; k < graph.patches(); ++k)
-      graph.forEachLaterPatch(k, [&](std::size_t later) {
+    for (std::size_t k = 0; k < graph.runs(); ++k)
+      graph.forEachLaterRun(k, [&](std::size_t later) {
         EXPECT_TRUE(links.insert({k, later}).second);
       });
     EXPECT_EQ(links, expected);
