@@ -92,8 +92,8 @@ expectEquation2(const DistanceField& field, int samples, const Each& each)
 
 class SegmentSearchAtScale : public testing::TestWithParam<float> {
 protected:
-  /** Points, fewer where squares of coordinates are below what float holds in full: there
-   *  many distances are equal, which takes long. */
+  /** Points, fewer where squares of coordinates are below what float holds in full:
+   * there many distances are equal, which takes long. */
   static std::size_t
   fewer(std::size_t points)
   {
