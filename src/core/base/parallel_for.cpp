@@ -31,7 +31,8 @@ makeOfProcess()
 }
 
 /** Address space that the stacks of helpers cannot take, so that where it is limited
- *  some is left for the work. Nobody touches it, so it costs nothing. */
+ *  some is left for the work: glibc takes 64 MB of it for each of the first threads
+ * that allocate. Nobody touches it, so it costs nothing. */
 class Reserve {
 public:
   Reserve()
@@ -56,7 +57,7 @@ public:
   operator=(const Reserve&) = delete;
 
 private:
-  static constexpr std::size_t bytes = std::size_t{256} << 20;
+  static constexpr std::size_t bytes = std::size_t{1} << 30;
   void* begin_;
 };
 
