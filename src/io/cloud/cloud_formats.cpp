@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
-#include <limits>
 #include <utility>
 
 namespace pcl_cid {
@@ -104,14 +103,6 @@ requireWhole(const LabelledCloud& cloud, std::size_t points)
     bytes += field.count * sizeOf(field.datatype);
   if (cloud.size() == 0)
     throw CIDException(cloud.name + ": holds no points; at least 1 is needed");
-  constexpr std::size_t most = std::numeric_limits<pcl::index_t>::max();
-  if (cloud.size() > most)
-    throw CIDException(sentence(cloud.name,
-                                ": holds ",
-                                countOf(cloud.size(), "point"),
-                                "; indices of PCL reach ",
-                                most,
-                                " of them"));
   if (bytes != cloud.fields.point_step || cloud.fields.data.size() != bytes * points)
     throw CIDException(sentence(cloud.name,
                                 ": was read as ",

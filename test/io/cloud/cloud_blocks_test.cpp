@@ -12,8 +12,6 @@
 
 #include <pcl_cid/io/cloud_blocks.h>
 
-#include <cstdint>
-#include <filesystem>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -216,20 +214,6 @@ TEST(CloudBlocks, ComplainOfDamageAsTheWholeDoes)
     writeText(path, good.substr(0, good.size() - 30));
     EXPECT_NE(in_blocks(), "none");
   }
-}
-
-/** More points than there are indices, in a file of holes. */
-TEST(CloudBlocks, RefuseMorePointsThanIndices)
-{
-  const TemporaryFolder folder;
-  const std::string path = folder.file("huge.pcd");
-  const std::string head = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
-                           "COUNT 1 1 1\nWIDTH 65536\nHEIGHT 32768\n"
-                           "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2147483648\nDATA binary\n";
-  writeText(path, head);
-  std::filesystem::resize_file(path, head.size() + 12 * (std::uintmax_t{1} << 31));
-  EXPECT_EQ(complaintAbout(path, [&] { CloudBlockReader reader(path); }),
-            ": holds 2147483648 points; indices of PCL reach 2147483647 of them");
 }
 
 TEST(CloudBlocks, AreWrittenAsTheWholeIs)
