@@ -15,6 +15,7 @@
 #include "words.h"
 
 #include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/cloud_blocks.h>
 #include <pcl_cid/io/scan_source.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ public:
       std::vector<std::string> inputs{row.scan};
       attemptWith(row, [&] {
         inputs = work_.inputs(row.scan);
-        requireReadable(row.scan, work_.has_format, inputs);
+        requireReadable(row.scan, inputs);
       });
       all.insert(all.end(), inputs.begin(), inputs.end());
     }
@@ -123,14 +124,16 @@ public:
 private:
   /** What can be told about a scan and the files that belong to it without reading
    *  them. */
-  static void
-  requireReadable(const std::string& scan,
-                  bool has_format,
-                  const std::vector<std::string>& inputs)
+  void
+  requireReadable(const std::string& scan, const std::vector<std::string>& inputs) const
   {
     // It may have been recognized by its content; if not, the reader knows why.
-    if (!has_format && !isScan(scan) && !isFileNamedAsScan(scan))
-      readScan(scan);
+    if (!work_.has_format && !isScan(scan) && !isFileNamedAsScan(scan)) {
+      if (work_.in_blocks)
+        CloudBlockReader reader(scan);
+      else
+        readScan(scan);
+    }
     for (const std::string& input : inputs)
       if (!input.empty() && access(input.c_str(), R_OK) != 0)
         throw CIDException(input + ": cannot be opened: " + std::strerror(errno));

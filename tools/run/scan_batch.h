@@ -26,6 +26,7 @@ struct ScanWork {
   const char* doing; ///< "Segmenting"
   const char* done;  ///< "segmented"
   bool has_format;   ///< whether it is said which format all scans have
+  bool in_blocks;    ///< whether scans may be larger than the memory
   std::function<std::vector<std::string>(const std::string&)> inputs;
   std::function<void(const std::string&, OutputFiles&)> announce;
   std::function<ScanFigures(const std::string&)> run;
@@ -64,6 +65,7 @@ doEachScan(const char* tool,
               doing,
               done,
               !settings.input_format.empty(),
+              settings.voxel.has_value(),
               [&](const std::string& scan) { return inputsOf(settingsFor(scan)); },
               [&](const std::string& scan, OutputFiles& outputs) {
                 announceOutputs(settingsFor(scan), outputs);

@@ -15,6 +15,8 @@
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/scan_source.h>
 
+#include <cerrno>
+#include <cstring>
 #include <ostream>
 
 namespace pcl_cid::tools {
@@ -75,7 +77,7 @@ checkVoxelOption(const Settings& settings)
 }
 
 VoxelScan::VoxelScan(const Settings& settings,
-                     const std::function<void(const LabelledCloud& block)>& check,
+                     const decltype(VoxelOptions::check)& check,
                      Run& run)
 : reader_(settings.input,
           settings.input_format.empty() ? "" : "." + settings.input_format,
@@ -89,14 +91,19 @@ VoxelScan::VoxelScan(const Settings& settings,
   VoxelOptions options;
   options.size = *settings.voxel;
   options.points = {settings.keep_zeros, run.remark()};
-  options.check = [&](const LabelledCloud& block) {
+  options.check = [&](const LabelledCloud& block, const VoxelPoints::Block& points) {
     requireHolds(block);
-    check(block);
+    check(block, points);
   };
   options.execution = {settings.threads, run.console.progress()};
+  std::size_t told = 0;
+  const auto tell_remarks = [&] {
+    for (; told < reader_.head().remarks.size(); ++told)
+      run.remark()(settings.input + ": " + reader_.head().remarks[told]);
+  };
+  tell_remarks();
   voxels_.emplace(reader_, options);
-  for (const std::string& remark : reader_.head().remarks)
-    run.remark()(settings.input + ": " + remark);
+  tell_remarks();
   scan_.name = scanName(settings.input);
   scan_.cloud = voxels_->takeCloud();
   scan_.points = pointsOf(scan_.cloud, {true, run.remark()});
@@ -142,6 +149,9 @@ VoxelScan::writeLabels(const Settings& settings,
           if (!writer)
             writer.emplace(stream, headFor(block), layout);
           writer->write(block);
+          if (!stream)
+            throw CIDException(settings.output + ": could not be written in full: " +
+                               std::strerror(errno));
         },
         execution);
     writer->finish();

@@ -40,11 +40,11 @@ checkVoxelOption(const Settings& settings);
 class VoxelScan {
 public:
   /** \brief Read the input twice, with messages, as loadScan().
-   *  \param[in] check called with each block, before the work; may throw
+   *  \param[in] check as VoxelOptions::check
    *  \throws CIDException when OUTPUT cannot hold the cloud, or cannot be written block
    *  by block, too */
   VoxelScan(const Settings& settings,
-            const std::function<void(const LabelledCloud& block)>& check,
+            const decltype(VoxelOptions::check)& check,
             Run& run);
 
   /** \brief The points of the voxels. */

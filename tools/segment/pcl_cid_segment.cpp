@@ -178,12 +178,34 @@ segment(const SegmentSettings& settings)
   return figuresOf(run.report);
 }
 
+/** For labels of a block, of which it matters only which points count.
+ *  \param[in] counts called with each point */
+template <typename Counts>
+CloudPoints
+countedPoints(const LabelledCloud& block, const Counts& counts)
+{
+  CloudPoints points;
+  points.points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  points.points->resize(block.size());
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    if (counts(i))
+      ++points.finite;
+    else
+      (*points.points)[i].x = std::numeric_limits<float>::quiet_NaN();
+  }
+  return points;
+}
+
 /** A truth that is no label shows before the work. */
 void
-checkTruth(const SegmentSettings& settings, const LabelledCloud& block)
+checkTruth(const SegmentSettings& settings,
+           const LabelledCloud& block,
+           const VoxelPoints::Block& points)
 {
   if (!settings.labels_from.empty())
-    labelsOf(block, settings.labels_from, pointsOf(block, {true, {}}));
+    labelsOf(block, settings.labels_from, countedPoints(block, [&](std::size_t i) {
+               return points[i].allFinite();
+             }));
 }
 
 /** What the points of the file say, where those of the voxels were worked on. */
@@ -223,10 +245,8 @@ private:
            const pcl::Indices& follows,
            const std::vector<std::uint32_t>& labels)
   {
-    CloudPoints points = pointsOf(block, {true, {}});
-    for (std::size_t i = 0; i < follows.size(); ++i)
-      if (follows[i] < 0) // did not return
-        (*points.points)[i].x = std::numeric_limits<float>::quiet_NaN();
+    const CloudPoints points =
+        countedPoints(block, [&](std::size_t i) { return follows[i] >= 0; });
     const std::string& field = settings_.labels_from;
     const LabelScore score =
         scoreLabels(field, labels, labelsOf(block, field, points), points);
@@ -248,7 +268,9 @@ segmentVoxels(const SegmentSettings& settings)
   Run run(segment_tool, settings.quiet, inputsOf(settings));
   announceOutputs(settings, run.outputs);
   VoxelScan voxels(
-      settings, [&](const LabelledCloud& block) { checkTruth(settings, block); }, run);
+      settings,
+      [&](const auto&... of_block) { checkTruth(settings, of_block...); },
+      run);
   const LoadedScan& scan = voxels.scan();
   SegmentedScan result = withTruth(settings, scan, run);
   propagateLabels(settings, scan, run, result);

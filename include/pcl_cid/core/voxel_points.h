@@ -42,16 +42,16 @@ inline constexpr NumberSetting<double> voxel{
 
 /** \brief One point of each voxel that holds points of a scan.
  *
- *  A voxel is a cube of space: all points whose coordinates, divided by its size, have
- *  the same whole part, as those of pcl::VoxelGrid. Its point is the one nearest to the
- *  mean of all points in it, the first of them at equal distance: a point of the scan,
- *  where VoxelGrid makes one up. Every point of the scan follows the nearest of these
- *  points, which need not be that of its own voxel; at equal distance the one that
- * comes first in the scan.
+ *  A voxel is a cube of space: all points whose coordinates, divided by its size and
+ *  rounded down, are the same, like those of pcl::VoxelGrid, which divides in float.
+ *  Its point is the one nearest to the mean of all points in it, the first of them at
+ *  equal distance (but for rounding): a point of the scan, where VoxelGrid makes one
+ *  up. Every point of the scan follows the nearest of these points, which need not be
+ *  that of its own voxel; at equal distance the one that comes first in the scan.
  *
  *  The scan is shown three times, block by block, each time whole and in the same
- * order; the blocks may differ. What is held depends on the number of voxels alone: up
- * to about 90 bytes for each while points are chosen, 60 from finish() on.
+ *  order; the blocks may differ. What is held depends on the number of voxels alone:
+ *  up to about 130 bytes for each until finish() returns, 60 from then on.
  *
  *  \code
  *    pcl_cid::VoxelPoints voxels(0.02);
@@ -84,21 +84,22 @@ public:
   operator=(VoxelPoints&& other) noexcept;
 
   /** \brief The first time: find the voxels and their means.
-   *  \throws CIDException for a point that is 2^30 voxels or more from the first one,
-   *  or whose coordinates do not tell voxels apart */
+   *  \throws CIDException after choose(), and for a point that is 2^30 voxels or more
+   * from the first one, or whose coordinates do not tell voxels apart */
   void
   add(const Block& points);
 
   /** \brief The second time: choose.
    *  \return for each point the number of its voxel, from 0, when it is the best of it
    *  so far, or else -1
-   *  \throws CIDException when a point was not shown before */
+   *  \throws CIDException for a point of a voxel that had none, for more than 2^31 - 1
+   *  points in all, and after finish() */
   pcl::Indices
   choose(const Block& points);
 
   /** \brief Put the chosen points into the order of the scan, for follow().
    *  \return for each of them the number that choose() had for its voxel
-   *  \throws CIDException when choose() has not seen all points */
+   *  \throws CIDException when a voxel has no chosen point */
   pcl::Indices
   finish();
 

@@ -20,7 +20,8 @@
 namespace pcl_cid {
 
 /** \brief A cloud of a file, read block by block, as often as need be. What it says and
- *  refuses is what readCloud() does; only one block is held.
+ *  refuses is what readCloud() does, in words of its own at times; only one block is
+ *  held. One thread at a time.
  *
  *  \code
  *    pcl_cid::CloudBlockReader reader("scan.pcd");
@@ -31,7 +32,7 @@ namespace pcl_cid {
  *  \endcode */
 class PCL_CID_IO_EXPORT CloudBlockReader {
 public:
-  /** Points of a block, unless less are left. */
+  /** Points of a block, unless fewer are left. */
   static constexpr std::size_t usual_block = 65536;
 
   /** \param[in] path,extension as in readCloud(); not the standard input
@@ -58,7 +59,8 @@ public:
    *  \param[out] block a cloud of these points, in one row, with the head's fields,
    *  layout, scale and pose
    *  \return whether there was one
-   *  \throws CIDException as readCloud() */
+   *  \throws CIDException as readCloud(), and at the last block when the points are not
+   *  those that were read before */
   bool
   read(LabelledCloud& block);
 
@@ -97,12 +99,13 @@ public:
                    const CloudLayout& layout);
 
   /** \brief Write the next points. The fields of the first block are those of the file.
-   *  \throws CIDException as requireWritable() */
+   *  \throws CIDException as requireWritable(), and for a block with other fields */
   void
   write(const LabelledCloud& block);
 
   /** \brief After the last block.
-   *  \throws CIDException when there were more or fewer points than the head says */
+   *  \throws CIDException when there were more or fewer points than the head says, or
+   *  none */
   void
   finish();
 

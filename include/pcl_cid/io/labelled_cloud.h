@@ -53,6 +53,8 @@ struct LabelledCloud {
   /** One sentence, without the name, for each thing that was passed over or assumed
    *  when the file was read. */
   std::vector<std::string> remarks;
+  /** Where it is a block of a larger one, the number of points before it. */
+  std::size_t first_point = 0;
 
   /** \brief Number of points. */
   std::size_t

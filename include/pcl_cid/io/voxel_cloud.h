@@ -30,8 +30,10 @@ class CloudBlockReader;
 struct VoxelOptions {
   double size = setting::voxel.initial; ///< of a voxel, metres
   PointOptions points;                  ///< which points of the file count
-  /** Called once with each block, before the work; may throw, may be empty. */
-  std::function<void(const LabelledCloud& block)> check;
+  /** Called once with each block, before the work, and its coordinates, which are NaN
+   *  where points are left out; may throw, may be empty. */
+  std::function<void(const LabelledCloud& block, const VoxelPoints::Block& points)>
+      check;
   ExecutionOptions execution;
 };
 
@@ -55,7 +57,7 @@ struct VoxelOptions {
 class PCL_CID_IO_EXPORT VoxelCloud {
 public:
   /** \brief Choose the points.
-   *  \param[in,out] reader at its beginning, whichever blocks it gives
+   *  \param[in,out] reader is rewound; whichever blocks it gives
    *  \throws CIDException when the file cannot be read, has no finite point, or when a
    *  voxel is too small for it (see VoxelPoints::add()); CIDCancelled */
   VoxelCloud(CloudBlockReader& reader, const VoxelOptions& options);
@@ -76,7 +78,7 @@ public:
   LabelledCloud
   takeCloud()
   {
-    return std::move(cloud_);
+    return std::exchange(cloud_, {});
   }
 
   /** \brief Their indices in the file. */

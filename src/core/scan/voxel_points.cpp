@@ -27,6 +27,8 @@ namespace pcl_cid {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double farthest_of_all = std::numeric_limits<double>::max();
+constexpr std::size_t most_points = std::numeric_limits<pcl::index_t>::max();
 constexpr std::size_t voxel_grain = 2048; // points that a thread takes at once
 
 /** The 26 voxels around one, each a bit of a mask. */
@@ -120,15 +122,17 @@ private:
 };
 
 [[noreturn]] void
-refuseUnknownPoint()
+refuseOtherScan()
 {
-  throw CIDException("a point is in a voxel that had none; the scan must be shown the "
-                     "same way each time");
+  throw CIDException("is another scan than was shown before, or a part of it");
 }
 
 } // namespace
 
 struct VoxelPoints::State {
+  /** Which time the scan is shown. */
+  enum class Stage { add, choose, follow };
+
   State(double size, unsigned int threads) : size(size), threads(threadCount(threads))
   {
     require(setting::voxel.withoutZero(), size);
@@ -153,10 +157,12 @@ struct VoxelPoints::State {
         !(whole.cwiseAbs().maxCoeff() < coarsest))
       throw CIDException(sentence("the size of a voxel is ",
                                   size,
-                                  ", too small for these points: they are more than ",
-                                  farthest,
-                                  " voxels apart, or their coordinates too coarse to "
-                                  "tell voxels apart"));
+                                  "; it must be so large that points are less than ",
+                                  static_cast<std::int64_t>(farthest),
+                                  " voxels apart, and that coordinates, the largest "
+                                  "is ",
+                                  p.cwiseAbs().maxCoeff(),
+                                  ", tell voxels apart"));
     return {static_cast<std::int32_t>(from_first.x()),
             static_cast<std::int32_t>(from_first.y()),
             static_cast<std::int32_t>(from_first.z())};
@@ -188,7 +194,7 @@ struct VoxelPoints::State {
     forEachFinite(points, [&](std::size_t i) {
       numbers[i] = first ? table.find(cellOf(points[i])) : -1;
       if (numbers[i] < 0)
-        refuseUnknownPoint();
+        refuseOtherScan();
     });
     return numbers;
   }
@@ -202,7 +208,7 @@ struct VoxelPoints::State {
     const VoxelCell own = cellOf(p);
     pcl::index_t best = table.find(own);
     if (best < 0)
-      refuseUnknownPoint();
+      refuseOtherScan();
     const std::uint32_t neighbors = taken_around[static_cast<std::size_t>(best)];
     double least = (p - chosen[static_cast<std::size_t>(best)]).squaredNorm();
     const Gaps gaps(p, cornerOf(own), size);
@@ -227,6 +233,30 @@ struct VoxelPoints::State {
         if (const pcl::index_t other = table.find(own + offset); other >= 0)
           compare(other);
     return best;
+  }
+
+  void
+  requireStage(Stage expected) const
+  {
+    if (stage != expected)
+      throw CIDException("a scan is shown three times: to add(), to choose(), and, "
+                         "after finish(), to follow()");
+  }
+
+  /** Whether a point is nearer to the mean of its voxel than another. Distances that
+   *  are equal but for rounding are equal.
+   *  \param[in] squared,least squares of the two distances */
+  bool
+  isNearer(double squared, double least) const
+  {
+    return squared < least - 1e-14 * size * std::sqrt(least);
+  }
+
+  /** Where a point is in its voxel. */
+  Eigen::Vector3d
+  beyondCorner(const Eigen::Vector3d& p, std::size_t number) const
+  {
+    return p - cornerOf(table.cell(number));
   }
 
   /** Bring the voxels into the order of their points, with all that follow() needs. */
@@ -267,11 +297,11 @@ struct VoxelPoints::State {
   std::optional<Eigen::Vector3d> first; ///< voxel of the first point, whole numbers
   VoxelTable table;
 
-  // While points are chosen.
-  Block means;                ///< before, sums of what is beyond the corner
-  std::vector<double> counts; ///< of points; then the least squared distance to a mean
-  bool has_means = false;
+  Stage stage = Stage::add;
   pcl::index_t shown = 0; ///< points, the second time
+  Block means; ///< of points, from the corner of their voxel; their sums at first
+  std::vector<double> counts; ///< of points; of no use once there are means
+  std::vector<double> least;  ///< squared distances of chosen points to means
 
   Block chosen;
   pcl::Indices source;
@@ -292,6 +322,7 @@ void
 VoxelPoints::add(const Block& points)
 {
   State& s = *state_;
+  s.requireStage(State::Stage::add);
   if (!s.first)
     for (const Eigen::Vector3d& p : points)
       if (p.allFinite()) {
@@ -324,29 +355,34 @@ pcl::Indices
 VoxelPoints::choose(const Block& points)
 {
   State& s = *state_;
-  if (!s.has_means) {
+  if (s.stage == State::Stage::add) {
     for (std::size_t k = 0; k < s.means.size(); ++k)
-      s.means[k] = s.cornerOf(s.table.cell(k)) + s.means[k] / s.counts[k];
-    s.counts.assign(s.counts.size(), infinite);
+      s.means[k] /= s.counts[k];
+    s.least = std::move(s.counts);
+    s.least.assign(s.table.size(), farthest_of_all);
     s.chosen.resize(s.table.size());
     s.source.assign(s.table.size(), -1);
-    s.has_means = true;
+    s.stage = State::Stage::choose;
   }
+  s.requireStage(State::Stage::choose);
+  if (points.size() > most_points - static_cast<std::size_t>(s.shown))
+    throw CIDException(sentence(
+        "has more than ", most_points, " points, as many as indices of PCL reach"));
   pcl::Indices numbers = s.knownVoxelsOf(points);
   std::vector<double> squared(points.size());
   s.forEachFinite(points, [&](std::size_t i) {
-    squared[i] =
-        (points[i] - s.means[static_cast<std::size_t>(numbers[i])]).squaredNorm();
+    const auto k = static_cast<std::size_t>(numbers[i]);
+    squared[i] = (s.beyondCorner(points[i], k) - s.means[k]).squaredNorm();
   });
   for (std::size_t i = 0; i < points.size(); ++i, ++s.shown) {
     if (numbers[i] < 0)
       continue;
     const auto k = static_cast<std::size_t>(numbers[i]);
-    if (!(squared[i] < s.counts[k])) {
+    if (!s.isNearer(squared[i], s.least[k])) {
       numbers[i] = -1;
       continue;
     }
-    s.counts[k] = squared[i];
+    s.least[k] = squared[i];
     s.chosen[k] = points[i];
     s.source[k] = s.shown;
   }
@@ -357,12 +393,14 @@ pcl::Indices
 VoxelPoints::finish()
 {
   State& s = *state_;
-  if (std::count(s.source.begin(), s.source.end(), -1) > 0 ||
-      s.source.size() != s.table.size())
-    throw CIDException("points of voxels are missing; the scan must be shown the same "
-                       "way each time");
+  if (!s.first)
+    s.stage = State::Stage::choose; // nothing from nothing
+  s.requireStage(State::Stage::choose);
+  if (std::count(s.source.begin(), s.source.end(), -1) > 0)
+    refuseOtherScan();
+  s.stage = State::Stage::follow;
   s.means = {};
-  s.counts = {};
+  s.least = {};
   pcl::Indices order(s.table.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](pcl::index_t a, pcl::index_t b) {
@@ -390,10 +428,11 @@ pcl::Indices
 VoxelPoints::follow(const Block& points) const
 {
   const State& s = *state_;
+  s.requireStage(State::Stage::follow);
   pcl::Indices follows(points.size(), -1);
   s.forEachFinite(points, [&](std::size_t i) {
     if (!s.first)
-      refuseUnknownPoint();
+      refuseOtherScan();
     follows[i] = s.nearest(points[i]);
   });
   return follows;

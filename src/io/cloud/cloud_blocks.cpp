@@ -7,6 +7,7 @@
  * Clouds read and written block by block.
  */
 
+#include "base/requirements.h"
 #include "base/sentence.h"
 #include "file_format.h"
 #include "text/numbers.h"
@@ -20,6 +21,8 @@
 #include <istream>
 #include <utility>
 #include <vector>
+
+#include <zlib.h>
 
 namespace pcl_cid {
 namespace {
@@ -62,6 +65,22 @@ formatNamed(const CloudLayout& layout, const std::vector<CloudFormat>& formats)
   return *found;
 }
 
+bool
+haveSameFields(const LabelledCloud& a, const LabelledCloud& b)
+{
+  const auto areEqual = [](const pcl::PCLPointField& left,
+                           const pcl::PCLPointField& right) {
+    return left.name == right.name && left.offset == right.offset &&
+           left.datatype == right.datatype && left.count == right.count;
+  };
+  return a.fields.point_step == b.fields.point_step &&
+         std::equal(a.fields.fields.begin(),
+                    a.fields.fields.end(),
+                    b.fields.fields.begin(),
+                    b.fields.fields.end(),
+                    areEqual);
+}
+
 } // namespace
 
 struct CloudBlockReader::State {
@@ -69,8 +88,10 @@ struct CloudBlockReader::State {
   LabelledCloud head;
   std::unique_ptr<CloudRows> rows;
   std::size_t block;
-  std::size_t next = 0;        ///< point
-  bool was_read_whole = false; ///< and the remarks on it are said
+  std::size_t next = 0;            ///< point
+  unsigned long checksum = 0;      ///< of the points before
+  bool was_read_whole = false;     ///< and the remarks on it are said
+  unsigned long checksum_then = 0; ///< of all points
 };
 
 CloudBlockReader::CloudBlockReader(const std::string& path,
@@ -80,6 +101,7 @@ CloudBlockReader::CloudBlockReader(const std::string& path,
 : state_(std::make_unique<State>())
 {
   require(setting::scale, scale);
+  requireAtLeast("most points of a block", block, std::size_t{1});
   State& s = *state_;
   s.file = openedForBlocks(path);
   s.block = block;
@@ -119,14 +141,20 @@ CloudBlockReader::read(LabelledCloud& block)
   block.fields.width = static_cast<std::uint32_t>(count);
   block.fields.height = 1;
   block.fields.row_step = block.fields.point_step * block.fields.width;
+  block.first_point = s.next;
   s.next += count;
+  s.checksum = crc32_z(s.checksum, block.fields.data.data(), block.fields.data.size());
   if (s.next < s.head.size())
     return true;
   const std::size_t remarks = s.head.remarks.size();
   s.rows->end();
-  if (s.was_read_whole)
+  if (s.was_read_whole) {
     s.head.remarks.resize(remarks);
+    if (s.checksum != s.checksum_then)
+      throw CIDException(s.head.name + ": has changed while it was read");
+  }
   s.was_read_whole = true;
+  s.checksum_then = s.checksum;
   return true;
 }
 
@@ -135,6 +163,7 @@ CloudBlockReader::rewind()
 {
   state_->rows->begin();
   state_->next = 0;
+  state_->checksum = 0;
 }
 
 std::string
@@ -179,6 +208,8 @@ CloudBlockWriter::write(const LabelledCloud& block)
     head_.fields.point_step = block.fields.point_step;
     format_.pieces.head(*stream_, head_, encoding_);
   }
+  if (!haveSameFields(block, head_))
+    throw CIDException(head_.name + ": a block has other fields than the one before");
   format_.pieces.rows(*stream_, block, encoding_);
   written_ += block.size();
 }
@@ -186,7 +217,7 @@ CloudBlockWriter::write(const LabelledCloud& block)
 void
 CloudBlockWriter::finish()
 {
-  if (written_ != head_.size())
+  if (written_ != head_.size() || written_ == 0)
     throw CIDException(sentence(head_.name,
                                 ": ",
                                 countOf(written_, "point"),

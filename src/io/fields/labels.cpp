@@ -99,7 +99,7 @@ labelsOf(const LabelledCloud& cloud,
                      ": field '",
                      field,
                      "' of point ",
-                     i,
+                     cloud.first_point + i,
                      " is ",
                      +value,
                      "; a label must be a whole number, 0 to 4294967295, or -1 or NaN "

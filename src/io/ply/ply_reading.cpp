@@ -78,6 +78,7 @@ public:
   readHead()
   {
     readAround([&] {
+      rows_.begin(points_);
       first_point_ = stream_.tellg();
       const std::uint64_t bytes =
           points_.count *

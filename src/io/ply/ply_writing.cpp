@@ -159,7 +159,7 @@ requireExact(const LabelledCloud& cloud, const Property& property)
                    ": field '",
                    property.name,
                    "' of point ",
-                   i,
+                   cloud.first_point + i,
                    " is ",
                    text,
                    "; PLY has no type that holds it; write a .pcd file"));

@@ -22,8 +22,21 @@ namespace {
 
 using Block = VoxelPoints::Block;
 
-/** Call take(block, points) for each block of a file, and tell how far it is.
- *  \param[out] points coordinates of the block, metres */
+/** What VoxelPoints refuses, with the name of the file. */
+template <typename Call>
+auto
+inFile(const CloudBlockReader& reader, const Call& call)
+{
+  try {
+    return call();
+  }
+  catch (const CIDException& exception) {
+    throw CIDException(reader.head().name + ": " + exception.what());
+  }
+}
+
+/** Call take(block, points) for each block of a file, with its coordinates in metres,
+ *  and tell how far it is. */
 template <typename Take>
 void
 forEachBlock(CloudBlockReader& reader,
@@ -84,9 +97,7 @@ VoxelCloud::findVoxels(CloudBlockReader& reader, const VoxelOptions& options)
   };
   forEachBlock(reader,
                partOf(options.execution, 0.0, 0.5),
-               [&](const LabelledCloud& block, Block& points) {
-                 if (options.check)
-                   options.check(block);
+               [&](const LabelledCloud&, Block& points) {
                  for (Eigen::Vector3d& p : points) {
                    survey.take(p);
                    if (!waits(p))
@@ -98,13 +109,13 @@ VoxelCloud::findVoxels(CloudBlockReader& reader, const VoxelOptions& options)
                      waiting.push_back(p);
                    p.setConstant(std::numeric_limits<double>::quiet_NaN());
                  }
-                 voxels_.add(points);
+                 inFile(reader, [&] { voxels_.add(points); });
                });
   survey.decide();
   left_out_ = survey.leftOut();
   finite_ = survey.finite();
   leaveOut(left_out_, waiting);
-  voxels_.add(waiting);
+  inFile(reader, [&] { voxels_.add(waiting); });
 }
 
 void
@@ -116,7 +127,10 @@ VoxelCloud::choosePoints(CloudBlockReader& reader, const VoxelOptions& options)
                partOf(options.execution, 0.5, 1.0),
                [&](const LabelledCloud& block, Block& points) {
                  leaveOut(left_out_, points);
-                 const pcl::Indices numbers = voxels_.choose(points);
+                 if (options.check)
+                   options.check(block, points);
+                 const pcl::Indices numbers =
+                     inFile(reader, [&] { return voxels_.choose(points); });
                  for (std::size_t i = 0; i < numbers.size(); ++i)
                    if (numbers[i] >= 0)
                      std::memcpy(rows.data() +
@@ -126,7 +140,7 @@ VoxelCloud::choosePoints(CloudBlockReader& reader, const VoxelOptions& options)
                });
   cloud_ = reader.head();
   cloud_.fields.data.reserve(rows.size());
-  for (const pcl::index_t number : voxels_.finish()) {
+  for (const pcl::index_t number : inFile(reader, [&] { return voxels_.finish(); })) {
     const auto row = rows.begin() + static_cast<std::ptrdiff_t>(
                                         static_cast<std::size_t>(number) * step);
     cloud_.fields.data.insert(
@@ -144,7 +158,7 @@ VoxelCloud::follow(CloudBlockReader& reader,
 {
   forEachBlock(reader, execution, [&](LabelledCloud& block, Block& points) {
     leaveOut(left_out_, points);
-    take(block, voxels_.follow(points));
+    take(block, inFile(reader, [&] { return voxels_.follow(points); }));
   });
 }
 

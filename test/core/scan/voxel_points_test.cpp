@@ -292,6 +292,28 @@ INSTANTIATE_TEST_SUITE_P(All,
                          VoxelsOf,
                          testing::Range(std::size_t{0}, voxelCases().size()));
 
+/** Two points are equally far from their mean, wherever they are. */
+TEST(VoxelPoints, OfTwoPointsTheFirstIsChosen)
+{
+  for (const Eigen::Vector3d& origin :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(512345.67, 5412345.67, 123.4)}) {
+    std::mt19937_64 generator(11);
+    std::uniform_real_distribution<double> draw(0.01, 0.99);
+    Block points;
+    pcl::Indices first_ones;
+    for (int voxel = 0; voxel < 2000; ++voxel)
+      for (const bool is_first : {true, false}) {
+        if (is_first)
+          first_ones.push_back(2 * voxel);
+        const Eigen::Vector3d in_voxel(
+            draw(generator), draw(generator), draw(generator));
+        const Eigen::Vector3d cell = (origin / 0.02).array().floor();
+        points.emplace_back(0.02 * (cell + Eigen::Vector3d(voxel, 0, 0) + in_voxel));
+      }
+    EXPECT_EQ(thinned({"pairs", points, 0.02}, 64, 1).source, first_ones);
+  }
+}
+
 TEST(VoxelPoints, MayBeFollowedFromTwoVoxelsAway)
 {
   for (const int side : {-1, 1})
@@ -329,11 +351,16 @@ TEST(VoxelPoints, RefuseAnotherScanTheNextTime)
   short_of_one.add({{0.5, 0.5, 0.5}, {3.5, 0.5, 0.5}});
   short_of_one.choose({{0.5, 0.5, 0.5}});
   EXPECT_THROW(short_of_one.finish(), CIDException);
+  EXPECT_THROW(short_of_one.add({{0.5, 0.5, 0.5}}), CIDException);
+  EXPECT_THROW(short_of_one.follow({{0.5, 0.5, 0.5}}), CIDException);
   VoxelPoints done(1.0);
   done.add({{0.5, 0.5, 0.5}});
   done.choose({{0.5, 0.5, 0.5}});
   done.finish();
   EXPECT_THROW(done.follow({{2.5, 0.5, 0.5}}), CIDException);
+  EXPECT_THROW(done.choose({{0.5, 0.5, 0.5}}), CIDException);
+  EXPECT_THROW(done.add({{0.5, 0.5, 0.5}}), CIDException);
+  EXPECT_THROW(done.finish(), CIDException);
 }
 
 } // namespace

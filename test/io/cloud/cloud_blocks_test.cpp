@@ -12,6 +12,7 @@
 
 #include <pcl_cid/io/cloud_blocks.h>
 
+#include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -214,6 +215,53 @@ TEST(CloudBlocks, ComplainOfDamageAsTheWholeDoes)
     writeText(path, good.substr(0, good.size() - 30));
     EXPECT_NE(in_blocks(), "none");
   }
+}
+
+/** Vertices that nothing follows in the file, though it goes on; with and without
+ *  something before them. */
+TEST(CloudBlocks, ComplainOfBytesAfterTheVertices)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("tail.ply");
+  for (const bool has_before : {false, true}) {
+    writeText(path,
+              std::string("ply\nformat binary_little_endian 1.0\n") +
+                  (has_before ? "element before 1\nproperty uchar u\n" : "") +
+                  "element vertex 2\nproperty float x\nproperty float y\n"
+                  "property float z\nend_header\n" +
+                  std::string(24 + 3 + (has_before ? 1 : 0), '\0'));
+    const std::string whole = complaintAbout(path, [&] { readCloud(path); });
+    EXPECT_NE(
+        whole.find("3 bytes left after the last of the 2 rows of element 'vertex'"),
+        std::string::npos)
+        << whole;
+    EXPECT_EQ(complaintAbout(path, [&] { CloudBlockReader reader(path); }), whole);
+  }
+}
+
+TEST(CloudBlocks, SayWhereTheyAreAndThatAFileHasChanged)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("desk.pcd");
+  const LabelledCloud desk = deskScan();
+  saveCloud(path, desk, pcd_binary);
+  CloudBlockReader reader(path, "", setting::scale.initial, 100);
+  LabelledCloud block;
+  for (int pass = 0; pass < 2; ++pass, reader.rewind())
+    for (std::size_t first = 0; reader.read(block); first += 100)
+      EXPECT_EQ(block.first_point, first);
+  reader.read(block); // the third time
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(-1, std::ios::end);
+  const char last = static_cast<char>(~desk.fields.data.back());
+  file.write(&last, 1);
+  file.close();
+  EXPECT_EQ(complaintAbout(path,
+                           [&] {
+                             while (reader.read(block))
+                               ;
+                           }),
+            ": has changed while it was read");
 }
 
 TEST(CloudBlocks, AreWrittenAsTheWholeIs)

@@ -7,6 +7,7 @@
  * Scans of which one point of each voxel is worked on: the same as by hand.
  */
 
+#include "clouds.h"
 #include "segment_tool.h"
 
 #include <pcl_cid/io/cloud_blocks.h>
@@ -289,6 +290,52 @@ TEST_F(VoxelTool, DoesSeveralScansInOneCall)
   EXPECT_EQ(labelsIn(file("out/a.pcd")), labelsIn(file("out/b.ply")));
   const Labels labels = labelsIn(file("out/a.pcd"));
   EXPECT_EQ(*std::max_element(labels.begin(), labels.end()), 9u);
+}
+
+/** What is held depends on the voxels, however many points they have. */
+TEST_F(VoxelTool, MemoryIsThatOfTheVoxels)
+{
+  const auto peak = [&](std::size_t points) {
+    saveCloud(
+        file("cube.pcd"), toLabelledCloud(*toCloud(randomCube(points, 3))), pcd_binary);
+    segment({file("cube.pcd"),
+             file("out.pcd"),
+             "--voxel",
+             "0.25",
+             "--threads",
+             "1",
+             "--report",
+             file("report.json")});
+    EXPECT_EQ(report()["points"]["voxels"], 64);
+    return report()["peak_memory_bytes"].get<double>();
+  };
+  const double of_few = peak(100000);
+  EXPECT_LT(peak(2000000), of_few + 8e6); // the file has 24 MB
+}
+
+/** Labels of points that did not return are no labels, and a point that is wrong is
+ * told by its place in the file. */
+TEST_F(VoxelTool, LooksAtTheLabelsOfPointsThatCount)
+{
+  Points points = randomCube(70000, 3);
+  std::vector<float> labels(points.size(), 3.0F);
+  for (std::size_t i = 0; i < 20; ++i) {
+    points[i].setZero();
+    labels[i] = 0.5F;
+  }
+  const auto save = [&] {
+    LabelledCloud cloud = toLabelledCloud(*toCloud(points));
+    appendField("label", labels, cloud.fields);
+    saveCloud(file("cloud.pcd"), cloud, pcd_binary);
+  };
+  save();
+  const std::vector<std::string> arguments{
+      file("cloud.pcd"), file("out.pcd"), "--voxel", "0.1", "--labels-from", "label"};
+  segment(arguments);
+  labels[66000] = 0.5F;
+  save();
+  EXPECT_NE(complaintOf(arguments, 1).find("field 'label' of point 66000 is 0.5"),
+            std::string::npos);
 }
 
 /** In metres, and in the unit of the file: voxels and labels are the same. */
