@@ -82,8 +82,8 @@ VoxelScan::VoxelScan(const Settings& settings,
 : reader_(settings.input,
           settings.input_format.empty() ? "" : "." + settings.input_format,
           settings.scale)
+, layout_(blockLayoutFor(settings.output, reader_.head().layout))
 {
-  blockLayoutFor(settings.output, reader_.head().layout);
   if (!settings.many.output_dir.empty())
     run.console.beBriefOn(settings.input);
   run.begin("Reading " + settings.input);
@@ -131,7 +131,6 @@ VoxelScan::writeLabels(const Settings& settings,
                        const Take& take,
                        Run& run)
 {
-  const CloudLayout layout = blockLayoutFor(settings.output, reader_.head().layout);
   const ExecutionOptions execution{settings.threads, run.console.progress()};
   run.outputs.write(settings.output, [&](std::ostream& stream) {
     std::optional<CloudBlockWriter> writer;
@@ -147,7 +146,7 @@ VoxelScan::writeLabels(const Settings& settings,
           if (settings.output_unit == OutputUnit::metre)
             convertToMetres(block);
           if (!writer)
-            writer.emplace(stream, headFor(block), layout);
+            writer.emplace(stream, headFor(block), layout_);
           writer->write(block);
           if (!stream)
             throw CIDException(settings.output + ": could not be written in full: " +

@@ -78,6 +78,7 @@ private:
   headFor(const LabelledCloud& block) const;
 
   CloudBlockReader reader_;
+  CloudLayout layout_; ///< of OUTPUT
   std::optional<VoxelCloud> voxels_;
   LoadedScan scan_;
 };

@@ -17,6 +17,15 @@
 
 namespace pcl_cid {
 
+Eigen::Vector3d
+keptPoint(const Eigen::Vector3d& p, const std::vector<Eigen::Vector3d>& left_out)
+{
+  for (const Eigen::Vector3d& place : left_out)
+    if (p == place)
+      return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return p;
+}
+
 PointSurvey::PointSurvey(const LabelledCloud& cloud, const PointOptions& options)
 : cloud_(cloud)
 , options_(options)
@@ -46,15 +55,6 @@ PointSurvey::decide()
     return;
   dropNoReturns(Eigen::Vector3d::Zero(), at_zero_);
   dropNoReturns(sensor_, at_sensor_);
-}
-
-Eigen::Vector3d
-PointSurvey::kept(const Eigen::Vector3d& p) const
-{
-  for (const Eigen::Vector3d& place : left_out_)
-    if (p == place)
-      return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  return p;
 }
 
 void

@@ -22,6 +22,10 @@ namespace pcl_cid {
 /** \brief Farther out, even the coordinates of double are too coarse for hulls. */
 constexpr double largest_coordinate = 1e15;
 
+/** \brief A point, or NaN where it is at one of some places. */
+Eigen::Vector3d
+keptPoint(const Eigen::Vector3d& p, const std::vector<Eigen::Vector3d>& left_out);
+
 /** \brief Counts the points of a cloud that are finite, and those at places where
  * drivers put what did not return. */
 class PointSurvey {
@@ -57,7 +61,10 @@ public:
 
   /** \brief A point, or NaN where it is left out. */
   Eigen::Vector3d
-  kept(const Eigen::Vector3d& p) const;
+  kept(const Eigen::Vector3d& p) const
+  {
+    return keptPoint(p, left_out_);
+  }
 
   /** \brief Finite points; after decide() without those that are left out. */
   std::size_t

@@ -66,8 +66,7 @@ leaveOut(const std::vector<Eigen::Vector3d>& places, Block& points)
   if (places.empty())
     return;
   for (Eigen::Vector3d& p : points)
-    if (std::count(places.begin(), places.end(), p) > 0)
-      p.setConstant(std::numeric_limits<double>::quiet_NaN());
+    p = keptPoint(p, places);
 }
 
 } // namespace

@@ -292,6 +292,7 @@ TEST(CloudBlocks, KeepTheLayoutWhereItHasRows)
   const CloudLayout kitti{"KITTI", CloudEncoding::binary};
   EXPECT_EQ(blockLayoutFor("a.pcd", pcd_ascii), pcd_ascii);
   EXPECT_EQ(blockLayoutFor("a.pcd", pcd_binary), pcd_binary);
+  EXPECT_EQ(blockLayoutFor("a.pcd", pcd_compressed), pcd_binary);
   EXPECT_EQ(blockLayoutFor("a.pcd", ply_binary), pcd_binary);
   EXPECT_EQ(blockLayoutFor("a.pcd", kitti), pcd_binary);
   EXPECT_EQ(blockLayoutFor("a.ply", kitti), ply_binary);
