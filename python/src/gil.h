@@ -9,17 +9,16 @@
 
 #pragma once
 
-#include <optional>
-
 #include <pybind11/pybind11.h>
 
 namespace pcl_cid::python {
 
 /** \brief No lock for a scope, so that other threads of Python run.
  *
- *  Where the interpreter has ended when a daemon thread wants the lock back, CPython up
- *  to 3.13 unwinds that thread, through code of ours that nothing may leave like that:
- *  the process would abort. Here the thread waits for the end of the process instead.
+ *  A daemon thread may be within such a scope when the process ends, and Python takes
+ *  the interpreter down under its feet. So the end waits until every such scope is left
+ *  (see waitAtTheEnd()), and the thread that leaves one stays there until the process
+ * is gone.
  */
 class GilReleased {
 public:
@@ -33,13 +32,14 @@ private:
   PyThreadState* state_;
 };
 
-/** \brief The lock for a scope within one without; waits as that does. */
-class GilAcquired {
-public:
-  GilAcquired();
+/** \brief True in a thread that has to leave its work, as the process ends. */
+bool
+mustLeave();
 
-private:
-  std::optional<pybind11::gil_scoped_acquire> acquired_;
-};
+/** \brief Have the end of the interpreter wait for threads that are at work without the
+ *  lock. They hear of it through mustLeave().
+ */
+void
+waitAtTheEnd();
 
 } // namespace pcl_cid::python

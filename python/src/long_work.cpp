@@ -41,7 +41,9 @@ LongWork::~LongWork()
 bool
 LongWork::goesOn(double fraction) const
 {
-  const GilAcquired acquired;
+  if (mustLeave())
+    return false;
+  const py::gil_scoped_acquire acquired;
   if (PyErr_CheckSignals() != 0)
     throw py::error_already_set();
   if (progress_.is_none())

@@ -11,6 +11,7 @@
 #include "cloud.h"
 #include "errors.h"
 #include "evaluation.h"
+#include "gil.h"
 #include "merge_tree.h"
 #include "parts.h"
 #include "scan_binding.h"
@@ -25,6 +26,7 @@ PYBIND11_MODULE(_pcl_cid, module)
   module.attr("__version__") = PCL_CID_VERSION;
   py::options options;
   options.disable_function_signatures();
+  waitAtTheEnd();
   bindErrors(module);
   bindSettings(module);
   bindClouds(module);

@@ -85,14 +85,32 @@ def test_the_interpreter_is_free_meanwhile():
     assert longest < 1.0
 
 
-@pytest.mark.parametrize("verb", ["scan.propose(100000)", "scan.parts(count=300)"])
-def test_a_daemon_thread_may_be_at_work_when_the_process_ends(verb):
+def end_beside(thread, rest=""):
     program = (
-        "import threading, time, numpy, pcl_cid\n"
+        "import atexit, os, threading, time\n"
+        "atexit.register(lambda: here() and pcl_cid.Scan(points[:99]).propose(9))  # the last of all\n"
+        "here = lambda parent=os.getpid(): os.getpid() == parent\n"
+        "import numpy, pcl_cid\n"
         "points = numpy.random.default_rng(0).uniform(0, 10, (100000, 3))\n"
         "scan = pcl_cid.Scan(points)\n"
-        f"threading.Thread(target=lambda: {verb}, daemon=True).start()\n"
-        "time.sleep(0.5)\n"
+        f"threading.Thread(target=lambda: {thread}, daemon=True).start()\n"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", program + rest], capture_output=True, timeout=120)
     assert done.returncode == 0 and not done.stderr
+
+
+@pytest.mark.parametrize("moment", [0.005, 0.05, 0.2])
+@pytest.mark.parametrize(
+    "verb", ["scan.propose(100000)", "scan.parts(count=300)", "[scan.propose(20) for _ in range(99)]"]
+)
+def test_a_daemon_thread_may_be_at_work_when_the_process_ends(verb, moment):
+    end_beside(verb, f"time.sleep({moment})\n")
+
+
+def test_a_child_forked_beside_a_thread_at_work_ends():
+    end_beside(
+        "scan.propose(100000)",
+        "time.sleep(0.05)\n"
+        "child = os.fork()\n"
+        "assert not child or os.waitpid(child, 0)[1] == 0\n",
+    )
