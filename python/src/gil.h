@@ -17,8 +17,8 @@ namespace pcl_cid::python {
  *
  *  A daemon thread may be within such a scope when the process ends, and Python takes
  *  the interpreter down under its feet. So the end waits until every such scope is left
- *  (see waitAtTheEnd()), and the thread that leaves one stays there until the process
- * is gone.
+ *  (see waitAtTheEnd()), and a thread that leaves one stays there until the process is
+ *  gone.
  */
 class GilReleased {
 public:
