@@ -9,8 +9,8 @@
 
 #pragma once
 
-#include "fast_hull.h"
 #include "free_space.h"
+#include "hull/fast_hull.h"
 
 #include <functional>
 #include <vector>

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "fast_hull.h"
+#include "hull/fast_hull.h"
 
 #include <pcl_cid/core/distance_field.h>
 #include <pcl_cid/core/hull_cid.h>

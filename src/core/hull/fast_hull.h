@@ -4,13 +4,14 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Convex hulls of few points, to compare hulls by.
+ * Convex hulls of few points, to compare hulls by, and which points they need.
  */
 
 #pragma once
 
-#include "hull/hull_mesh.h"
+#include "hull_mesh.h"
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -34,6 +35,12 @@ struct FastHull : TriangleMesh {
  *  \return no face when the points are flat */
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points);
+
+/** \brief Which of some points are the corners of their hull: no other is outside of it
+ * by more than 1e-8 of the extent. \return their positions, ascending; none when the
+ * points are flat, or rounding spoils the hull */
+std::vector<std::size_t>
+hullCorners(const std::vector<Eigen::Vector3d>& points);
 
 /** \brief The volume of fastHull(), cubic metres, unchecked: for choosing only. */
 double

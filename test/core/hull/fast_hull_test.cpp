@@ -7,8 +7,8 @@
  * Hulls to compare by: closed, convex, around all points, and as large as qhull's.
  */
 
-#include "fitting/fast_hull.h"
 #include "hull/clean_hull.h"
+#include "hull/fast_hull.h"
 #include "hull/hull_mesh.h"
 #include "hulls.h"
 #include "portable_draw.h"

@@ -4,14 +4,14 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Convex hulls of few points, to compare hulls by.
+ * Convex hulls of few points, to compare hulls by, and which points they need.
  */
 
 #include "fast_hull.h"
 
-#include "hull/box_mesh.h"
-#include "hull/clean_hull.h"
-#include "hull/principal_box.h"
+#include "box_mesh.h"
+#include "clean_hull.h"
+#include "principal_box.h"
 
 #include <Eigen/Geometry>
 
@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace pcl_cid {
@@ -112,6 +113,22 @@ public:
     }
     hull.volume = volumeOf(hull);
     return hull;
+  }
+
+  /** The points that are vertices of result(), ascending. */
+  std::vector<std::size_t>
+  corners() const
+  {
+    std::vector<bool> is_corner(points_.size(), false);
+    for (const GrowingFace& face : faces_)
+      if (face.is_alive)
+        for (const std::uint32_t corner : face.corners)
+          is_corner[corner] = true;
+    std::vector<std::size_t> corners;
+    for (std::size_t i = 0; i < is_corner.size(); ++i)
+      if (is_corner[i])
+        corners.push_back(i);
+    return corners;
   }
 
 private:
@@ -370,6 +387,16 @@ asFastHull(TriangleMesh mesh)
   return hull;
 }
 
+/** The hull, unless rounding spoils it. */
+std::optional<FastHull>
+grown(GrowingHull& growing, const Corners& points)
+{
+  if (growing.grow())
+    if (FastHull hull = growing.result(); isClosed(hull) && holdsAll(hull, points))
+      return hull;
+  return std::nullopt;
+}
+
 } // namespace
 
 FastHull
@@ -378,12 +405,20 @@ fastHull(const std::vector<Eigen::Vector3d>& points)
   GrowingHull growing(points);
   if (!growing.begin())
     return {};
-  if (growing.grow())
-    if (FastHull hull = growing.result(); isClosed(hull) && holdsAll(hull, points))
-      return hull;
+  if (std::optional<FastHull> hull = grown(growing, points))
+    return *std::move(hull);
   TriangleMesh exact = convexHull(points);
   return asFastHull(exact.triangles.empty() ? boxMesh(principalBox(points), 0)
                                             : std::move(exact));
+}
+
+std::vector<std::size_t>
+hullCorners(const std::vector<Eigen::Vector3d>& points)
+{
+  GrowingHull growing(points);
+  if (!growing.begin() || !grown(growing, points))
+    return {};
+  return growing.corners();
 }
 
 double
