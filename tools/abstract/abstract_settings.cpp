@@ -13,12 +13,15 @@
 #include "run/loaded_scan.h"
 #include "run/parameter.h"
 #include "run/session_settings.h"
+#include "run/voxel_scan.h"
 #include "run/words.h"
 
 #include <pcl_cid/core/hull_simplification.h>
 #include <pcl_cid/io/cloud_formats.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_formats.h>
+
+#include <cmath>
 
 namespace pcl_cid::tools {
 namespace {
@@ -135,6 +138,20 @@ requireSeeds(const AbstractSettings& settings)
                      "patches have none; leave them out with --groups patches");
 }
 
+/** What a hull gains by the points that follow those of voxels must fit into the bound,
+ *  too. */
+void
+requireRoomForVoxels(const AbstractSettings& settings)
+{
+  if (settings.voxel && settings.max_error &&
+      settings.fittedError() <= settings.hulls.min_thickness)
+    throw UsageError("--max-error must be more than --min-thickness and the diagonal "
+                     "of a voxel, within which points may be left out of the fit: " +
+                     shortNumber(*settings.max_error - settings.fittedError() +
+                                 settings.hulls.min_thickness) +
+                     " m; choose a larger bound or smaller voxels");
+}
+
 /** The format of OUTPUT, of each scan where there are several. */
 const MeshFormat&
 outputFormat(const AbstractSettings& settings)
@@ -185,6 +202,14 @@ AbstractSettings::hullOptions() const
   return options;
 }
 
+/** All points of a part are within a voxel's diagonal of points that were worked on,
+ * and so is every place in their hull of the hull of these. */
+double
+AbstractSettings::fittedError() const
+{
+  return *max_error - std::sqrt(3.0) * voxel.value_or(0.0);
+}
+
 bool
 AbstractSettings::isAboutGroups() const
 {
@@ -233,6 +258,10 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   declareManyScans(settings.many, "mesh-format", withoutDots(meshExtensions()), line);
   line.exclude("name", {"output-dir"}); // each scan has its own
   declareRunOptions(settings, line);
+  declareVoxelOption(
+      settings.voxel,
+      {"session", "curve", "class-table", optionName(setting::mesh_spacing)},
+      line);
   if (!parseScans(argc,
                   argv,
                   outputArgument("OUTPUT", meshExtensions()),
@@ -249,6 +278,8 @@ readCommandLine(int argc, const char* const* argv, AbstractSettings& settings)
   requireSeeds(settings);
   checkSceneOptions(settings.scenes);
   requireNamedParts(settings);
+  checkVoxelOption(settings);
+  requireRoomForVoxels(settings);
   return true;
 }
 

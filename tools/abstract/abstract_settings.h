@@ -61,6 +61,11 @@ struct AbstractSettings : Settings {
   ConvexPartOptions
   hullOptions() const;
 
+  /** \brief The bound on the error that the hulls of the points that are worked on must
+   *  keep, so that those of all points keep `--max-error`; there is one. */
+  double
+  fittedError() const;
+
   /** \brief Whether anything is said or asked about groups, which merging by hull has
    *  none of. */
   bool

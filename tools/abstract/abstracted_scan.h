@@ -12,6 +12,7 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/core/group_merging.h>
 #include <pcl_cid/core/hull_primitive.h>
+#include <pcl_cid/io/report.h>
 
 #include <cstddef>
 #include <optional>
@@ -34,6 +35,8 @@ struct AbstractedScan {
   ConvexPartOptions hull_options; ///< of the other parts
   Primitives primitives;          ///< in the place of parts in scenes
   MergeTree tree;
+  /** Of each part, where it was made of points of voxels; empty: of all points. */
+  std::vector<FollowedPart> followed;
   std::size_t dropped_points = 0;
 
   bool

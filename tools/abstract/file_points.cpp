@@ -11,6 +11,7 @@
 #include "file_points.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -56,16 +57,37 @@ diagonalOf(const TriangleMesh& hull)
   return box.diagonal().norm();
 }
 
+/** Whether a hull may miss more of its points, as the file has them, than may go
+ *  unnoticed. */
+bool
+mayMiss(double rounding, const TriangleMesh& hull)
+{
+  constexpr double large = 1000.0; // metres: hull_tolerance is a centimetre then
+  return rounding > unnoticed_rounding || diagonalOf(hull) > large;
+}
+
+/** A hull again; the part keeps its indices. */
+void
+remake(const PointSet& points,
+       const pcl::Indices& members,
+       const ConvexPartOptions& options,
+       ConvexPart& part)
+{
+  ConvexPart made = makeConvexPart(points, members, options);
+  made.indices = std::move(part.indices);
+  made.trimmed = std::move(part.trimmed);
+  part = std::move(made);
+}
+
 /** A hull again that contains its points as the file has them. */
 void
 cover(const std::vector<Eigen::Vector3d>& in_file,
       const PointSet& points,
+      const pcl::Indices& members,
       ConvexPartOptions options,
       ConvexPart& part)
 {
   constexpr int attempts = 10;
-  const pcl::Indices members = positionsOf(part.indices, points);
-  const pcl::Indices trimmed = std::move(part.trimmed);
   options.trim_distance = 0.0; // what was astray is no longer among the points
   double missing = excessOf(part.hull, in_file);
   // A hull may miss its points by hull_tolerance of its size, which padding must
@@ -73,24 +95,51 @@ cover(const std::vector<Eigen::Vector3d>& in_file,
   double more = std::max(2.0 * missing, 0.01 * hull_tolerance * diagonalOf(part.hull));
   for (int i = 0; i < attempts && missing > unnoticed_rounding; ++i, more *= 2.0) {
     options.padding += more;
-    part = makeConvexPart(points, members, options);
+    remake(points, members, options, part);
     missing = excessOf(part.hull, in_file);
   }
-  part.trimmed = trimmed;
+}
+
+/** The points of a part of a scan, as they stand in the file. */
+PartPoints
+filePointsOf(std::size_t number,
+             const ConvexPart& part,
+             const FileCoordinates& coordinates)
+{
+  PartPoints of_part{number, part.indices, {}};
+  for (const pcl::index_t index : part.indices)
+    of_part.points.push_back(coordinates[static_cast<std::size_t>(index)]);
+  return of_part;
+}
+
+/** All points of a set. */
+pcl::Indices
+allOf(const PointSet& points)
+{
+  pcl::Indices all(points.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 } // namespace
 
+ShowParts
+pointsOfParts(const LabelledCloud& cloud, const std::vector<ConvexPart>& parts)
+{
+  return [&cloud, &parts](const std::function<void(const PartPoints&)>& take) {
+    const FileCoordinates coordinates(cloud);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      take(filePointsOf(k, parts[k], coordinates));
+  };
+}
+
 double
-roundingOf(const pcl::Indices& indices,
-           const CloudPoints& points,
-           const FileCoordinates& coordinates)
+roundingOf(const std::vector<Eigen::Vector3d>& points, const Frame& frame)
 {
   double most = 0.0;
-  for (const pcl::index_t index : indices) {
-    const auto i = static_cast<std::size_t>(index);
-    const Eigen::Vector3d local = (*points.points)[i].getVector3fMap().cast<double>();
-    most = std::max(most, (coordinates[i] - points.frame.toFile(local)).norm());
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d local = frame.toLocal(p).cast<float>().cast<double>();
+    most = std::max(most, (p - frame.toFile(local)).norm());
   }
   return most;
 }
@@ -98,21 +147,39 @@ roundingOf(const pcl::Indices& indices,
 void
 coverFilePoints(const LoadedScan& scan, AbstractedScan& abstracted)
 {
-  constexpr double large = 1000.0; // metres: hull_tolerance is a centimetre then
+  const Frame& frame = scan.points.frame;
   const FileCoordinates coordinates(scan.cloud);
   PointSet points;
   for (std::size_t k = 0; k < abstracted.parts.size(); ++k) {
     ConvexPart& part = abstracted.parts[k];
-    if (roundingOf(part.indices, scan.points, coordinates) <= unnoticed_rounding &&
-        diagonalOf(part.hull) <= large)
+    const PartPoints of_part = filePointsOf(k, part, coordinates);
+    if (!mayMiss(roundingOf(of_part.points, frame), part.hull))
       continue;
     if (points.points.empty())
       points = finitePoints(*scan.points.points);
-    std::vector<Eigen::Vector3d> in_file;
-    for (const pcl::index_t index : part.indices)
-      in_file.push_back(
-          scan.points.frame.toLocal(coordinates[static_cast<std::size_t>(index)]));
-    cover(in_file, points, abstracted.optionsOf(k), part);
+    cover(frame.toLocal(of_part.points),
+          points,
+          positionsOf(part.indices, points),
+          abstracted.optionsOf(k),
+          part);
+  }
+}
+
+void
+coverExtremes(const ExtremePoints& extremes, AbstractedScan& abstracted)
+{
+  for (std::size_t k = 0; k < abstracted.parts.size(); ++k) {
+    ConvexPart& part = abstracted.parts[k];
+    const ExtremePoints::Block in_file = extremes.of(k);
+    Points coordinates;
+    for (const Eigen::Vector3d& p : in_file)
+      coordinates.push_back(p.cast<float>());
+    const PointSet points(std::move(coordinates), pcl::Indices(in_file.size()));
+    ConvexPartOptions options = abstracted.optionsOf(k);
+    options.trim_distance = 0.0; // what is astray is not among them
+    remake(points, allOf(points), options, part);
+    if (mayMiss(roundingOf(in_file, Frame()), part.hull))
+      cover(in_file, points, allOf(points), options, part);
   }
 }
 

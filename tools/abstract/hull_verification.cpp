@@ -9,8 +9,6 @@
 
 #include "hull_verification.h"
 
-#include "file_points.h"
-
 #include <pcl_cid/core/hull_guarantees.h>
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/mesh_export.h>
@@ -27,17 +25,24 @@ namespace {
 
 /** A hull from a file, metres. */
 struct StoredHull {
+  std::size_t part;
   TriangleMesh mesh;
   double rounding; ///< what the file has taken from its coordinates
+  std::string path;
+  Frame frame = Frame();
 };
 
 StoredHull
-inMetres(TriangleMesh mesh, bool is_float, double metres_per_unit)
+inMetres(std::size_t part,
+         TriangleMesh mesh,
+         bool is_float,
+         double metres_per_unit,
+         const std::string& path)
 {
   const double rounding = is_float ? metres_per_unit * floatRounding(mesh) : 0.0;
   for (Eigen::Vector3d& v : mesh.vertices)
     v *= metres_per_unit;
-  return {std::move(mesh), rounding};
+  return {part, std::move(mesh), rounding, path};
 }
 
 /** Some consecutive triangles of a mesh, as a mesh of its own. */
@@ -77,9 +82,11 @@ splitIntoParts(const TriangleMesh& mesh, const std::vector<ConvexPart>& parts)
   return hulls;
 }
 
-/** One hull for each part, from an output that is not committed yet. */
+/** One hull for each part, from an output that is not committed yet.
+ *  \param[in] first the number of the first of these parts */
 std::vector<StoredHull>
 readHulls(const std::string& path,
+          std::size_t first,
           const std::vector<ConvexPart>& parts,
           double metres_per_unit,
           OutputFiles& outputs)
@@ -95,21 +102,9 @@ readHulls(const std::string& path,
                        " hulls; it must have " + std::to_string(parts.size()));
   std::vector<StoredHull> hulls;
   for (TriangleMesh& mesh : meshes)
-    hulls.push_back(inMetres(std::move(mesh), format.is_float, metres_per_unit));
+    hulls.push_back(inMetres(
+        first + hulls.size(), std::move(mesh), format.is_float, metres_per_unit, path));
   return hulls;
-}
-
-/** The points of a part, as they stand in the file, in the frame of a mesh. */
-std::vector<Eigen::Vector3d>
-pointsOf(const ConvexPart& part,
-         const FileCoordinates& coordinates,
-         const Frame& mesh_frame)
-{
-  std::vector<Eigen::Vector3d> inside;
-  inside.reserve(part.indices.size());
-  for (const pcl::index_t index : part.indices)
-    inside.push_back(mesh_frame.toLocal(coordinates[static_cast<std::size_t>(index)]));
-  return inside;
 }
 
 /** A mesh in the frame of the points. */
@@ -121,30 +116,7 @@ inFrameOf(const Frame& points, TriangleMesh mesh, const Frame& mesh_frame)
   return mesh;
 }
 
-void
-verifyHull(std::size_t number,
-           const StoredHull& hull,
-           const Frame& mesh_frame,
-           const Verification& verification)
-{
-  const ConvexPart& part = verification.abstracted.parts[number];
-  const double rounding =
-      roundingOf(part.indices, verification.points, verification.coordinates);
-  const auto broken =
-      findBrokenGuarantee(hull.mesh,
-                          pointsOf(part, verification.coordinates, mesh_frame),
-                          verification.abstracted.optionsOf(number),
-                          hull.rounding + std::min(rounding, unnoticed_rounding));
-  const auto too_far = verification.error && !broken
-                           ? verification.error->findTooFar(inFrameOf(
-                                 verification.points.frame, hull.mesh, mesh_frame))
-                           : std::nullopt;
-  if (broken || too_far)
-    throw CIDException("the hull of " + partName(number) +
-                       " breaks a guarantee: " + (broken ? *broken : *too_far));
-}
-
-/** Check a file; errors get the name that the user knows it by. */
+/** Do some work on a file; errors get the name that the user knows it by. */
 template <typename Work>
 void
 check(const std::string& path, const Work& work)
@@ -157,6 +129,47 @@ check(const std::string& path, const Work& work)
   }
 }
 
+void
+failIf(const std::optional<std::string>& broken, const StoredHull& hull)
+{
+  if (broken)
+    throw CIDException(hull.path + ": verification: the hull of " +
+                       partName(hull.part) + " breaks a guarantee: " + *broken);
+}
+
+/** All guarantees of a hull, for these points of its part. */
+void
+verifyWith(const PartPoints& points,
+           const StoredHull& hull,
+           const Verification& verification)
+{
+  const double rounding = roundingOf(points.points, verification.frame);
+  failIf(findBrokenGuarantee(hull.mesh,
+                             hull.frame.toLocal(points.points),
+                             verification.abstracted.optionsOf(hull.part),
+                             hull.rounding + std::min(rounding, unnoticed_rounding)),
+         hull);
+}
+
+/** \param[in] hulls of parts with ascending numbers; primitives may stand for others */
+void
+verifyHulls(const std::vector<StoredHull>& hulls, const Verification& verification)
+{
+  verification.show([&](const PartPoints& points) {
+    const auto hull = std::lower_bound(
+        hulls.begin(), hulls.end(), points.part, [](const StoredHull& h, auto part) {
+          return h.part < part;
+        });
+    if (hull != hulls.end() && hull->part == points.part)
+      verifyWith(points, *hull, verification);
+  });
+  if (verification.error)
+    for (const StoredHull& hull : hulls)
+      failIf(verification.error->findTooFar(
+                 inFrameOf(verification.frame, hull.mesh, hull.frame)),
+             hull);
+}
+
 } // namespace
 
 void
@@ -164,14 +177,12 @@ verifyMesh(const std::string& path,
            const Verification& verification,
            OutputFiles& outputs)
 {
+  std::vector<StoredHull> hulls;
   check(path, [&] {
-    const std::vector<StoredHull> hulls = readHulls(path,
-                                                    verification.abstracted.parts,
-                                                    verification.points.metres_per_unit,
-                                                    outputs);
-    for (std::size_t k = 0; k < hulls.size(); ++k)
-      verifyHull(k, hulls[k], Frame(), verification);
+    hulls = readHulls(
+        path, 0, verification.abstracted.parts, verification.metres_per_unit, outputs);
   });
+  verifyHulls(hulls, verification);
 }
 
 void
@@ -180,16 +191,19 @@ verifyParts(const std::string& folder,
             const Verification& verification,
             OutputFiles& outputs)
 {
+  std::vector<StoredHull> hulls;
   for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
     if (primitiveOf(k, scene))
       continue;
     const std::string path = std::filesystem::path(folder) / partFileName(k, scene);
     check(path, [&] {
-      const std::vector<StoredHull> hulls =
-          readHulls(path, {verification.abstracted.parts[k]}, 1.0, outputs);
-      verifyHull(k, hulls.front(), Frame{scene.origin}, verification);
+      hulls.push_back(
+          std::move(readHulls(path, k, {verification.abstracted.parts[k]}, 1.0, outputs)
+                        .front()));
     });
+    hulls.back().frame = Frame{scene.origin};
   }
+  verifyHulls(hulls, verification);
 }
 
 void
@@ -200,27 +214,25 @@ verifyMeshesOf(const SceneFile& file,
 {
   if (!file.format.read_meshes)
     return;
+  std::vector<StoredHull> hulls;
   check(file.path, [&] {
     std::ifstream stream(outputs.pathBeforeCommit(file.path), std::ios::binary);
     const NamedMeshes meshes = file.format.read_meshes(stream);
-    std::size_t expected = 0;
     for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
       if (!file.format.primitives.empty() && primitiveOf(k, scene))
         continue;
-      ++expected;
       const auto found = meshes.find(partName(k, scene.name));
       if (found == meshes.end())
         throw CIDException("the mesh of " + partName(k) + " is missing");
       const PlacedMesh& placed = found->second;
-      verifyHull(k,
-                 inMetres(placed.mesh, file.format.is_float, 1.0),
-                 Frame{placed.origin},
-                 verification);
+      hulls.push_back(inMetres(k, placed.mesh, file.format.is_float, 1.0, file.path));
+      hulls.back().frame = Frame{placed.origin};
     }
-    if (meshes.size() != expected)
+    if (meshes.size() != hulls.size())
       throw CIDException("it has " + std::to_string(meshes.size()) +
-                         " meshes; it must have " + std::to_string(expected));
+                         " meshes; it must have " + std::to_string(hulls.size()));
   });
+  verifyHulls(hulls, verification);
 }
 
 } // namespace pcl_cid::tools

@@ -11,6 +11,7 @@
 
 #include "abstracted_scan.h"
 #include "error_verification.h"
+#include "file_points.h"
 #include "scene_outputs.h"
 
 #include <pcl_cid/io/cloud_points.h>
@@ -25,9 +26,10 @@ namespace pcl_cid::tools {
 /** \brief What the files are checked against. */
 struct Verification {
   const AbstractedScan& abstracted; ///< as it was written
-  const CloudPoints& points;
-  const FileCoordinates coordinates; ///< the same points, as they stand in the file
-  const ErrorVerification* error;    ///< null: no bound was asked for
+  Frame frame;                      ///< that was worked in
+  ShowParts show;                   ///< the points, as they stand in the file
+  double metres_per_unit;           ///< of OUTPUT
+  const ErrorVerification* error;   ///< null: no bound was asked for
 };
 
 /** \brief Read a mesh file with all parts again, before it is committed, and check each

@@ -32,8 +32,10 @@ printParts(const AbstractedScan& result, const Console& console)
   std::size_t thickened = 0;
   std::size_t boxed = 0;
   std::size_t trimmed = 0;
-  for (const ConvexPart& part : result.parts) {
-    trimmed += part.trimmed.size();
+  for (std::size_t k = 0; k < result.parts.size(); ++k) {
+    const ConvexPart& part = result.parts[k];
+    trimmed += result.followed.empty() ? part.trimmed.size()
+                                       : result.followed[k].trimmed_points;
     volume += part.volume;
     thickened += part.thickened ? 1 : 0;
     boxed += part.boxed ? 1 : 0;
@@ -56,6 +58,7 @@ describe(const AbstractSettings& settings, const AbstractedScan& result, Run& ru
   for (const Report::Parameter& each : partParametersOf(settings))
     run.report.parameters.push_back(each);
   run.report.parts = &result.parts;
+  run.report.followed_parts = result.followed;
   run.report.dropped_points = result.dropped_points;
   if (!run.report.coverage.empty())
     run.console.value("Coverage", shortNumber(run.report.coverage.back()) + " metres");
@@ -93,7 +96,7 @@ save(const AbstractSettings& settings,
            scan.points.metres_per_unit,
            settings.scenes.name,
            run.outputs);
-  if (!settings.labels.empty())
+  if (!settings.labels.empty() && !settings.voxel) // with it, they are there already
     writeLabels(settings, result.parts, scan.cloud, run.outputs);
   if (!settings.tree.empty())
     run.outputs.write(settings.tree,
@@ -146,7 +149,7 @@ requireOutputsCanHold(const AbstractSettings& settings,
                       Run& run)
 {
   requireRoomForFloat(settings.output, scan, settings.hulls.min_thickness);
-  if (!settings.labels.empty())
+  if (!settings.labels.empty() && !settings.voxel)
     requireOutputHolds(settings.labels, scan, run);
   requirePictureOf(settings.html, scan);
 }
@@ -156,6 +159,7 @@ writeParts(const AbstractSettings& settings,
            const Viewpoints& viewpoints,
            const AbstractedScan& abstracted,
            const LoadedScan& scan,
+           const ShowParts& show,
            Run& run)
 {
   describe(settings, abstracted, run);
@@ -165,8 +169,9 @@ writeParts(const AbstractSettings& settings,
         errorVerification(settings, scan.points, viewpoints);
     verify(settings,
            {abstracted,
-            scan.points,
-            FileCoordinates(scan.cloud),
+            scan.points.frame,
+            show,
+            scan.points.metres_per_unit,
             error ? &*error : nullptr},
            scene,
            run);

@@ -11,6 +11,7 @@
 
 #include "abstract_settings.h"
 #include "abstracted_scan.h"
+#include "file_points.h"
 #include "run/loaded_scan.h"
 #include "run/run.h"
 
@@ -28,6 +29,7 @@ requireOutputsCanHold(const AbstractSettings& settings,
  *  \param[in] settings its outputs were announced (see announceOutputs())
  *  \param[in] viewpoints of the bound on the error
  *  \param[in] abstracted in the frame of the file
+ *  \param[in] show the points of the parts, for `--verify`
  *  \throws CIDException when a guarantee does not hold, or writing fails; then nothing
  *  is there */
 void
@@ -35,6 +37,7 @@ writeParts(const AbstractSettings& settings,
            const Viewpoints& viewpoints,
            const AbstractedScan& abstracted,
            const LoadedScan& scan,
+           const ShowParts& show,
            Run& run);
 
 } // namespace pcl_cid::tools

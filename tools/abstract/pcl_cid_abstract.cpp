@@ -17,6 +17,7 @@
 #include "session_parts.h"
 #include "simpler_bodies.h"
 #include "tightness_curve.h"
+#include "voxel_parts.h"
 
 #include <pcl_cid/exceptions.h>
 #include <pcl_cid/io/viewpoints.h>
@@ -65,7 +66,7 @@ configureFitting(const AbstractSettings& settings,
 {
   abstraction.setMergingRule(settings.mergingRule());
   if (settings.max_error)
-    abstraction.setMaxError(*settings.max_error);
+    abstraction.setMaxError(settings.fittedError());
   if (settings.robot_radius)
     abstraction.setRobotRadius(*settings.robot_radius);
   abstraction.setViewpoints(viewpoints);
@@ -95,9 +96,6 @@ fit(const AbstractSettings& settings,
 {
   run.begin("Fitting hulls");
   abstraction.reconstruct(result.parts);
-  result.hull_options = abstraction.getHullOptions();
-  coverFilePoints(scan, result);
-  result.dropped_points = abstraction.getNumberOfDroppedPoints();
   const HullFitting& fitting = abstraction.getHullFitting();
   run.report.points_in = scan.points.points->size();
   run.report.points_finite = scan.points.finite;
@@ -112,10 +110,7 @@ fit(const AbstractSettings& settings,
 
 /** The parts that the merge tree is cut into, and their hulls. */
 void
-decompose(Abstraction& abstraction,
-          const LoadedScan& scan,
-          Run& run,
-          AbstractedScan& result)
+decompose(Abstraction& abstraction, Run& run, AbstractedScan& result)
 {
   run.begin("Decomposing");
   std::vector<pcl::PointIndices> parts;
@@ -126,10 +121,7 @@ decompose(Abstraction& abstraction,
           "decompose");
   run.begin("Computing hulls");
   abstraction.reconstruct(result.tree.cut(abstraction.getMergeCut()), result.parts);
-  result.hull_options = abstraction.getHullOptions();
-  coverFilePoints(scan, result);
   run.end(std::to_string(result.parts.size()) + " hulls", "hulls");
-  result.dropped_points = abstraction.getNumberOfDroppedPoints();
 }
 
 /** What was merged, for the report. */
@@ -161,10 +153,20 @@ measureTightness(const AbstractSettings& settings,
   run.end(std::to_string(curve.size()) + " cuts", "curve");
 }
 
+/** Of each point, -1 where there are none. */
+std::vector<pcl::index_t>
+groupsOf(const Abstraction& abstraction)
+{
+  return abstraction.getPatches() ? abstraction.getPatches()->groups()
+                                  : abstraction.getProposal().group;
+}
+
+/** \param[in] voxels where the points of the scan are those of voxels; else null */
 AbstractedScan
 abstract(const AbstractSettings& settings,
          const LoadedScan& scan,
          const Viewpoints& viewpoints,
+         VoxelParts* voxels,
          Run& run)
 {
   Abstraction abstraction;
@@ -175,15 +177,21 @@ abstract(const AbstractSettings& settings,
   AbstractedScan result;
   const bool by_hull = settings.mergingRule() == MergingRule::hull;
   by_hull ? fit(settings, abstraction, scan, run, result)
-          : decompose(abstraction, scan, run, result);
+          : decompose(abstraction, run, result);
+  result.hull_options = abstraction.getHullOptions();
+  result.dropped_points = abstraction.getNumberOfDroppedPoints();
+  if (!by_hull)
+    describeGroups(abstraction, scan, run);
+  if (voxels)
+    voxels->cover(groupsOf(abstraction), result);
+  else
+    coverFilePoints(scan, result);
   const PreparedScan::ConstPtr prepared = abstraction.prepare();
   findPrimitives(settings, viewpoints, prepared, run, result);
   simplify(settings, viewpoints, prepared, run, result);
   run.report.parameters = parametersOf(settings, abstraction);
   describeDensity(abstraction.getDensityDecision(), run);
   describeBlindSpot(abstraction.getBlindSpot(), scan.points.frame, run);
-  if (!by_hull)
-    describeGroups(abstraction, scan, run);
   measureTightness(settings, result, abstraction, run);
   moveToFile(scan.points.frame, result);
   return result;
@@ -199,8 +207,28 @@ runAbstract(const AbstractSettings& settings)
   const LoadedScan scan = loadScan(settings, run);
   const Viewpoints viewpoints = localViewpoints(settings, read, scan);
   requireOutputsCanHold(settings, scan, run);
-  const AbstractedScan result = abstract(settings, scan, viewpoints, run);
-  writeParts(settings, viewpoints, result, scan, run);
+  const AbstractedScan result = abstract(settings, scan, viewpoints, nullptr, run);
+  writeParts(
+      settings, viewpoints, result, scan, pointsOfParts(scan.cloud, result.parts), run);
+  return figuresOf(run.report);
+}
+
+/** Work on one point of each voxel, and let hulls contain those that follow, too. */
+ScanFigures
+abstractVoxels(const AbstractSettings& settings)
+{
+  Run run(abstract_tool, settings.quiet, inputsOf(settings));
+  announceOutputs(settings, run.outputs);
+  const Viewpoints read =
+      hasViewpointFile(settings) ? readViewpoints(settings.viewpoints) : Viewpoints();
+  VoxelScan voxels(settings, settings.labels, {}, run);
+  const LoadedScan& scan = voxels.scan();
+  const Viewpoints viewpoints = localViewpoints(settings, read, scan);
+  requireOutputsCanHold(settings, scan, run);
+  VoxelParts parts(settings, voxels, run);
+  const AbstractedScan result = abstract(settings, scan, viewpoints, &parts, run);
+  voxels.describe(settings, run.report);
+  writeParts(settings, viewpoints, result, scan, parts.show(), run);
   return figuresOf(run.report);
 }
 
@@ -208,7 +236,9 @@ runAbstract(const AbstractSettings& settings)
 ScanFigures
 abstractScan(const AbstractSettings& settings)
 {
-  return settings.session.empty() ? runAbstract(settings) : writeSessionParts(settings);
+  if (!settings.session.empty())
+    return writeSessionParts(settings);
+  return settings.voxel ? abstractVoxels(settings) : runAbstract(settings);
 }
 
 } // namespace

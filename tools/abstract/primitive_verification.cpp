@@ -19,6 +19,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace pcl_cid::tools {
@@ -48,30 +49,27 @@ excessOf(const HullPrimitive& primitive, const Eigen::Vector3d& place)
 /** What may be missing: coordinates have been rounded. */
 double
 allowanceFor(const HullPrimitive& primitive,
-             const ConvexPart& part,
+             const PartPoints& points,
              const Verification& verification)
 {
   const double size =
       primitive.center.cwiseAbs().maxCoeff() + primitive.extents.maxCoeff();
   return 16.0 * std::numeric_limits<double>::epsilon() * size +
-         std::min(
-             roundingOf(part.indices, verification.points, verification.coordinates),
-             unnoticed_rounding);
+         std::min(roundingOf(points.points, verification.frame), unnoticed_rounding);
 }
 
 std::optional<std::string>
 findPointOutside(const HullPrimitive& primitive,
-                 const ConvexPart& part,
+                 const PartPoints& points,
                  const Verification& verification)
 {
-  const double allowance = allowanceFor(primitive, part, verification);
-  for (const pcl::index_t index : part.indices) {
-    const auto i = static_cast<std::size_t>(index);
-    const double excess = excessOf(primitive, verification.coordinates[i]) +
+  const double allowance = allowanceFor(primitive, points, verification);
+  for (std::size_t i = 0; i < points.points.size(); ++i) {
+    const double excess = excessOf(primitive, points.points[i]) +
                           verification.abstracted.hull_options.padding;
     if (!(excess <= allowance))
-      return "point " + std::to_string(i) + " is not contained: it is " +
-             shortNumber(excess) + " m too far out";
+      return "point " + std::to_string(points.indices[i]) +
+             " is not contained: it is " + shortNumber(excess) + " m too far out";
   }
   return std::nullopt;
 }
@@ -83,7 +81,7 @@ findTooFar(const HullPrimitive& primitive, const Verification& verification)
     return std::nullopt;
   TriangleMesh mesh = meshAround(primitive);
   for (Eigen::Vector3d& v : mesh.vertices)
-    v = verification.points.frame.toLocal(v);
+    v = verification.frame.toLocal(v);
   return verification.error->findTooFar(mesh);
 }
 
@@ -94,30 +92,49 @@ readPrimitives(const SceneFile& file, OutputFiles& outputs)
   return file.format.read_primitives(stream);
 }
 
-void
-verify(const NamedPrimitives& primitives,
+/** Those that must be there, by the number of their part. */
+std::map<std::size_t, HullPrimitive>
+byPart(const NamedPrimitives& primitives,
        const SceneDescription& scene,
-       const Verification& verification)
+       std::size_t parts)
 {
-  std::size_t expected = 0;
-  for (std::size_t k = 0; k < verification.abstracted.parts.size(); ++k) {
+  std::map<std::size_t, HullPrimitive> by_part;
+  for (std::size_t k = 0; k < parts; ++k) {
     if (!primitiveOf(k, scene))
       continue;
-    ++expected;
     const auto found = primitives.find(partName(k, scene.name));
     if (found == primitives.end())
       throw CIDException("the primitive of " + partName(k) + " is missing");
-    auto broken =
-        findPointOutside(found->second, verification.abstracted.parts[k], verification);
-    if (!broken)
-      broken = findTooFar(found->second, verification);
-    if (broken)
-      throw CIDException("the " + std::string(nameOf(found->second.kind)) + " of " +
-                         partName(k) + " breaks a guarantee: " + *broken);
+    by_part.emplace(k, found->second);
   }
-  if (primitives.size() != expected)
+  if (primitives.size() != by_part.size())
     throw CIDException("it has " + std::to_string(primitives.size()) +
-                       " primitives; it must have " + std::to_string(expected));
+                       " primitives; it must have " + std::to_string(by_part.size()));
+  return by_part;
+}
+
+void
+failIf(const std::optional<std::string>& broken,
+       const HullPrimitive& primitive,
+       std::size_t part)
+{
+  if (broken)
+    throw CIDException("the " + std::string(nameOf(primitive.kind)) + " of " +
+                       partName(part) + " breaks a guarantee: " + *broken);
+}
+
+void
+verify(const std::map<std::size_t, HullPrimitive>& primitives,
+       const Verification& verification)
+{
+  verification.show([&](const PartPoints& points) {
+    if (const auto found = primitives.find(points.part); found != primitives.end())
+      failIf(findPointOutside(found->second, points, verification),
+             found->second,
+             points.part);
+  });
+  for (const auto& [part, primitive] : primitives)
+    failIf(findTooFar(primitive, verification), primitive, part);
 }
 
 } // namespace
@@ -129,7 +146,10 @@ verifyPrimitives(const SceneFile& file,
                  OutputFiles& outputs)
 {
   try {
-    verify(readPrimitives(file, outputs), scene, verification);
+    verify(byPart(readPrimitives(file, outputs),
+                  scene,
+                  verification.abstracted.parts.size()),
+           verification);
   }
   catch (const CIDException& error) {
     throw CIDException(file.path + ": verification: " + error.what());

@@ -154,7 +154,8 @@ writeSessionParts(AbstractSettings settings)
   run.end(std::to_string(record.part_actions.size()) + " actions on parts", "replay");
 
   const AbstractedScan abstracted = abstractChosenParts(settings, session, scan, run);
-  writeParts(settings, {}, abstracted, scan, run);
+  writeParts(
+      settings, {}, abstracted, scan, pointsOfParts(scan.cloud, abstracted.parts), run);
   return figuresOf(run.report);
 }
 

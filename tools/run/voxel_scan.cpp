@@ -22,7 +22,7 @@
 namespace pcl_cid::tools {
 namespace {
 
-/** Refuse an OUTPUT that cannot hold a block; what is to be said of it is said once. */
+/** Refuse an output that cannot hold a block; what is to be said of it is said once. */
 class OutputCheck {
 public:
   OutputCheck(const std::string& path, Run& run) : path_(path), run_(run) {}
@@ -54,7 +54,7 @@ declareVoxelOption(std::optional<double>& voxel,
       setting::voxel,
       voxel,
       "the others follow it; for an INPUT larger than the memory, which is read "
-      "three times");
+      "several times");
   line.exclude(
       optionName(setting::voxel),
       whole_cloud,
@@ -68,32 +68,56 @@ checkVoxelOption(const Settings& settings)
   if (!settings.voxel)
     return;
   if (settings.input == standard_output)
-    throw UsageError("--voxel reads INPUT three times, which the standard input cannot "
-                     "be; name a file");
+    throw UsageError("--voxel reads INPUT several times, which the standard input "
+                     "cannot be; name a file");
   if (settings.output == standard_output)
     throw UsageError(
         "--voxel holds no more than a block of OUTPUT, but what goes to the "
         "standard output is held until the end; name a file");
 }
 
+FollowedGroups::FollowedGroups(const std::vector<pcl::index_t>& group, Report& report)
+: group_(group), report_(report)
+{
+  report.group_sizes.assign(report.group_sizes.size(), 0);
+  report.points_grouped = 0;
+}
+
+void
+FollowedGroups::take(const pcl::Indices& follows)
+{
+  for (const pcl::index_t point : follows) {
+    const pcl::index_t group = point < 0 ? -1 : group_[static_cast<std::size_t>(point)];
+    if (group < 0)
+      continue;
+    ++report_.group_sizes[static_cast<std::size_t>(group)];
+    ++report_.points_grouped;
+  }
+}
+
 VoxelScan::VoxelScan(const Settings& settings,
+                     const std::string& output,
                      const decltype(VoxelOptions::check)& check,
                      Run& run)
 : reader_(settings.input,
           settings.input_format.empty() ? "" : "." + settings.input_format,
           settings.scale)
-, layout_(blockLayoutFor(settings.output, reader_.head().layout))
+, output_(output)
+, layout_(output.empty() ? CloudLayout()
+                         : blockLayoutFor(output, reader_.head().layout))
 {
   if (!settings.many.output_dir.empty())
     run.console.beBriefOn(settings.input);
   run.begin("Reading " + settings.input);
-  OutputCheck requireHolds(settings.output, run);
+  OutputCheck requireHolds(output, run);
   VoxelOptions options;
   options.size = *settings.voxel;
   options.points = {settings.keep_zeros, run.remark()};
   options.check = [&](const LabelledCloud& block, const VoxelPoints::Block& points) {
-    requireHolds(block);
-    check(block, points);
+    if (!output_.empty())
+      requireHolds(block);
+    if (check)
+      check(block, points);
   };
   options.execution = {settings.threads, run.console.progress()};
   std::size_t told = 0;
@@ -126,17 +150,22 @@ VoxelScan::headFor(const LabelledCloud& block) const
 }
 
 void
+VoxelScan::follow(const Settings& settings, const VoxelCloud::Take& take, Run& run)
+{
+  voxels_->follow(reader_, take, {settings.threads, run.console.progress()});
+}
+
+void
 VoxelScan::writeLabels(const Settings& settings,
                        const std::vector<std::uint32_t>& labels,
                        const Take& take,
                        Run& run)
 {
-  const ExecutionOptions execution{settings.threads, run.console.progress()};
-  run.outputs.write(settings.output, [&](std::ostream& stream) {
+  run.outputs.write(output_, [&](std::ostream& stream) {
     std::optional<CloudBlockWriter> writer;
     std::vector<std::uint32_t> of_block;
-    voxels_->follow(
-        reader_,
+    follow(
+        settings,
         [&](LabelledCloud& block, const pcl::Indices& follows) {
           of_block.clear();
           for (const pcl::index_t point : follows)
@@ -149,10 +178,10 @@ VoxelScan::writeLabels(const Settings& settings,
             writer.emplace(stream, headFor(block), layout_);
           writer->write(block);
           if (!stream)
-            throw CIDException(settings.output + ": could not be written in full: " +
-                               std::strerror(errno));
+            throw CIDException(
+                output_ + ": could not be written in full: " + std::strerror(errno));
         },
-        execution);
+        run);
     writer->finish();
   });
 }

@@ -214,10 +214,8 @@ public:
   FollowedPoints(const SegmentSettings& settings,
                  const SegmentedScan& voxels,
                  Report& report)
-  : settings_(settings), voxels_(voxels), report_(report)
+  : settings_(settings), groups_(voxels.group, report), report_(report)
   {
-    report.group_sizes.assign(report.group_sizes.size(), 0);
-    report.points_grouped = 0;
     if (!settings.labels_from.empty())
       report.score = LabelScore{settings.labels_from};
   }
@@ -227,14 +225,7 @@ public:
        const pcl::Indices& follows,
        const std::vector<std::uint32_t>& labels)
   {
-    for (const pcl::index_t point : follows) {
-      const pcl::index_t group =
-          point < 0 ? -1 : voxels_.group[static_cast<std::size_t>(point)];
-      if (group < 0)
-        continue;
-      ++report_.group_sizes[static_cast<std::size_t>(group)];
-      ++report_.points_grouped;
-    }
+    groups_.take(follows);
     if (report_.score)
       addScore(block, follows, labels);
   }
@@ -257,7 +248,7 @@ private:
   }
 
   const SegmentSettings& settings_;
-  const SegmentedScan& voxels_;
+  FollowedGroups groups_;
   Report& report_;
 };
 
@@ -269,6 +260,7 @@ segmentVoxels(const SegmentSettings& settings)
   announceOutputs(settings, run.outputs);
   VoxelScan voxels(
       settings,
+      settings.output,
       [&](const auto&... of_block) { checkTruth(settings, of_block...); },
       run);
   const LoadedScan& scan = voxels.scan();

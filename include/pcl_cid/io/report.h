@@ -86,6 +86,16 @@ struct RefusedPlaces {
   }
 };
 
+/** \brief What a part that was made of the points of voxels has of the input. */
+struct FollowedPart {
+  /** Points of the input in it, and those that are not, as they follow a point of a
+   *  voxel that was trimmed. */
+  std::size_t points = 0;
+  std::size_t trimmed_points = 0;
+  /** Indices in the input of the points of voxels that were trimmed, ascending. */
+  pcl::Indices trimmed;
+};
+
 /** \brief What a run did; what does not apply stays empty. */
 struct Report {
   /** A parameter as it was used; no value means "none". */
@@ -131,6 +141,8 @@ struct Report {
   /** The parts. They are not copied and must live until toJson(); null when there are
    *  none. */
   const std::vector<ConvexPart>* parts = nullptr;
+  /** One for each part, where parts were made of the points of voxels. */
+  std::vector<FollowedPart> followed_parts;
   /** Vertices of all hulls before they were simplified; empty when they were not. */
   std::optional<std::size_t> exact_vertices;
   /** What stands for each hull in scenes; empty when primitives were not asked for. */

@@ -141,6 +141,13 @@ partsOf(const Report& report)
                  {"thickness", part.thickness},
                  {"thickened", part.thickened},
                  {"boxed", part.boxed}};
+    if (!report.followed_parts.empty()) {
+      const FollowedPart& followed = report.followed_parts[k];
+      json["points"] = followed.points;
+      json["voxels"] = part.indices.size();
+      json["trimmed"] = followed.trimmed;
+      json["trimmed_points"] = followed.trimmed_points;
+    }
     if (!report.primitives.empty())
       json["primitive"] = primitiveOf(report.primitives[k]);
     if (report.tightness)

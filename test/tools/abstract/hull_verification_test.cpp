@@ -153,7 +153,11 @@ protected:
   tools::Verification
   verification() const
   {
-    return {abstracted_, points_, FileCoordinates(cloud_), nullptr};
+    return {abstracted_,
+            points_.frame,
+            tools::pointsOfParts(cloud_, abstracted_.parts),
+            1.0,
+            nullptr};
   }
 
   static std::string

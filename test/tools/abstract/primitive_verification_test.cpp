@@ -60,7 +60,11 @@ protected:
     try {
       verifyPrimitives(file,
                        bodies.description,
-                       {abstracted_, points_, FileCoordinates(cloud_), error},
+                       {abstracted_,
+                        points_.frame,
+                        tools::pointsOfParts(cloud_, abstracted_.parts),
+                        1.0,
+                        error},
                        outputs);
     }
     catch (const CIDException& complaint) {

@@ -9,15 +9,13 @@
 
 #include "clouds.h"
 #include "segment_tool.h"
+#include "voxel_choice.h"
 
-#include <pcl_cid/io/cloud_blocks.h>
 #include <pcl_cid/io/seed_table.h>
-#include <pcl_cid/io/voxel_cloud.h>
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <regex>
 
 namespace pcl_cid::test {
@@ -29,47 +27,6 @@ using Labels = std::vector<std::uint32_t>;
  *  force has it. */
 class VoxelTool : public SegmentTool {
 protected:
-  /** Choose the points of a scan and write them as a cloud of their own. */
-  void
-  chooseFrom(const std::string& scan, double size)
-  {
-    CloudBlockReader reader(scan);
-    VoxelOptions options;
-    options.size = size;
-    const VoxelCloud voxels(reader, options);
-    source_ = voxels.source();
-    saveCloud(chosen_, voxels.cloud(), pcd_binary);
-  }
-
-  /** For each point of a scan the label of the nearest of those that were chosen.
-   *  \param[in,out] labels what they are; those of every so many points are looked for
-   */
-  void
-  findByBruteForce(const std::string& scan,
-                   const Labels& of_chosen,
-                   std::size_t stride,
-                   Labels& labels) const
-  {
-    const LabelledCloud cloud = readCloud(scan);
-    const CloudPoints points = pointsOf(cloud);
-    const FileCoordinates at(cloud);
-    std::vector<Eigen::Vector3d> chosen;
-    for (const pcl::index_t i : source_)
-      chosen.push_back(at[static_cast<std::size_t>(i)]);
-    for (std::size_t i = 0; i < cloud.size(); i += stride) {
-      labels[i] = 0;
-      if (!(*points.points)[i].getVector3fMap().allFinite())
-        continue;
-      double least = std::numeric_limits<double>::infinity();
-      const Eigen::Vector3d p = at[i];
-      for (std::size_t k = 0; k < chosen.size(); ++k)
-        if (const double squared = (p - chosen[k]).squaredNorm(); squared < least) {
-          least = squared;
-          labels[i] = of_chosen[k];
-        }
-    }
-  }
-
   /** The tool does in one call what can be done by hand. */
   void
   expectAsByHand(const std::string& scan,
@@ -78,7 +35,7 @@ protected:
                  std::size_t stride = 1)
   {
     SCOPED_TRACE(scan);
-    chooseFrom(scan, size);
+    source_ = chooseFrom(scan, size, chosen_);
     const auto run = [&](std::vector<std::string> arguments) {
       arguments.insert(arguments.end(), more.begin(), more.end());
       segment(arguments);
@@ -87,7 +44,7 @@ protected:
     run({scan, file("out.ply"), "--voxel", std::to_string(size)});
     run({scan, file("out.pcd"), "--voxel", std::to_string(size)});
     Labels expected = labelsIn(file("out.pcd"));
-    findByBruteForce(scan, labelsIn(file("by_hand.pcd")), stride, expected);
+    findByBruteForce(scan, source_, labelsIn(file("by_hand.pcd")), stride, expected);
     EXPECT_EQ(labelsIn(file("out.pcd")), expected);
     EXPECT_EQ(labelsIn(file("out.ply")), expected);
     LabelledCloud whole = readCloud(scan);
@@ -167,7 +124,7 @@ TEST_F(VoxelTool, IndicesAreThoseOfTheFile)
 {
   const std::string scan = file("rows.pcd");
   saveCloud(scan, deskScan(), pcd_binary);
-  chooseFrom(scan, 0.1);
+  source_ = chooseFrom(scan, 0.1, chosen_);
   const std::string seeds = file("seeds.csv");
   const std::string start = std::to_string(source_[5]);
   segment({scan,
@@ -218,7 +175,7 @@ TEST_F(VoxelTool, RefusesPointsThatNoVoxelKept)
 {
   const std::string scan = file("rows.pcd");
   saveCloud(scan, deskScan(), pcd_binary);
-  chooseFrom(scan, 0.1);
+  source_ = chooseFrom(scan, 0.1, chosen_);
   pcl::index_t left = 0;
   while (std::binary_search(source_.begin(), source_.end(), left) ||
          deskLabels()[static_cast<std::size_t>(left)] == 0)
@@ -402,7 +359,7 @@ TEST_F(VoxelTool, RefusesWhatNeedsAllPoints)
               std::string::npos)
         << more.front();
   }
-  EXPECT_NE(complaintOf({"-", out, "--voxel", "0.1"}, 2).find("three times"),
+  EXPECT_NE(complaintOf({"-", out, "--voxel", "0.1"}, 2).find("several times"),
             std::string::npos);
   EXPECT_NE(complaintOf({file("rows.pcd"), "-", "--voxel", "0.1"}, 2).find("block"),
             std::string::npos);
