@@ -36,9 +36,11 @@ struct FastHull : TriangleMesh {
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points);
 
-/** \brief Which of some points are the corners of their hull: no other is outside of it
- * by more than 1e-8 of the extent. \return their positions, ascending; none when the
- * points are flat, or rounding spoils the hull */
+/** \brief Which points are the corners of the hull of some: no other is outside of that
+ *  by more than 1e-8 of the extent.
+ *
+ *  \return their positions, ascending; none when the points are flat, or rounding
+ * spoils the hull */
 std::vector<std::size_t>
 hullCorners(const std::vector<Eigen::Vector3d>& points);
 
