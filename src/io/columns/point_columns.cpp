@@ -26,8 +26,6 @@
 namespace pcl_cid {
 namespace {
 
-using Values = std::vector<double>;
-
 /** The fields of a color, in the order of the bytes of a packed one. */
 constexpr const char* channels[] = {"blue", "green", "red"};
 
@@ -58,135 +56,55 @@ knownColumns()
   return known;
 }
 
-bool
-isWhole(const Values& values, double least, double most)
-{
-  return std::all_of(values.begin(), values.end(), [=](double value) {
-    return value >= least && value <= most && std::floor(value) == value;
-  });
-}
-
-/** What three columns hold, as their values tell. */
-enum class Triple { normals, colors, none };
-
-Triple
-tripleAt(const PointColumns& columns, std::size_t first)
-{
-  if (columns.values.size() < first + 3)
-    return Triple::none;
-  constexpr double tolerance = 0.01;
-  bool are_unit = true;
-  bool are_bytes = true;
-  bool are_shares = true; // of white
-  for (std::size_t i = 0; i < columns.values[first].size(); ++i) {
-    const Eigen::Vector3d v(columns.values[first][i],
-                            columns.values[first + 1][i],
-                            columns.values[first + 2][i]);
-    are_unit = are_unit && std::abs(v.norm() - 1.0) < tolerance;
-    are_shares = are_shares && v.minCoeff() >= 0.0 && v.maxCoeff() <= 1.0;
-    are_bytes = are_bytes && v.minCoeff() >= 0.0 && v.maxCoeff() <= 255.0 &&
-                v == v.array().floor().matrix();
-  }
-  return are_unit                  ? Triple::normals
-         : are_bytes || are_shares ? Triple::colors
-                                   : Triple::none;
-}
-
-/** The names of columns that have none, by their order. */
-std::vector<std::string>
-usualNames(const PointColumns& columns)
-{
-  std::vector<std::string> names{"x", "y", "z"};
-  const auto add = [&](std::initializer_list<const char*> more) {
-    names.insert(names.end(), more.begin(), more.end());
-  };
-  const std::size_t count = columns.values.size();
-  if (columns.are_of_pts && count > 3)
-    add({"intensity"});
-  const Triple triple = tripleAt(columns, names.size());
-  if (triple == Triple::colors)
-    add({"red", "green", "blue"});
-  if (count == names.size() + 3)
-    add({"normal_x", "normal_y", "normal_z"});
-  else if (names.size() == 3 && (count == 4 || count == 5))
-    add({"intensity"});
-  while (names.size() < count)
-    names.push_back("column_" + std::to_string(names.size() + 1));
-  names.resize(count);
-  return names;
-}
-
-/** Whether the largest error of float is small beside the extent of the values. */
-bool
-fitsFloat(const Values& values)
-{
-  double error = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value))
-      error = std::max(
-          error, std::abs(value - static_cast<double>(static_cast<float>(value))));
-  constexpr double small_share = 1e-6;
-  const Bulk bulk = bulkOf(values.size(), [&](std::size_t i) { return values[i]; });
-  return error == 0.0 || error <= small_share * bulk.extent;
-}
-
 std::uint8_t
-realType(const Values& values)
+realType(const ColumnSurvey& survey, std::size_t column)
 {
-  return fitsFloat(values) ? pcl::PCLPointField::FLOAT32 : pcl::PCLPointField::FLOAT64;
+  return survey.fitsFloat(column) ? pcl::PCLPointField::FLOAT32
+                                  : pcl::PCLPointField::FLOAT64;
 }
 
 /** The type of a column whose name says nothing about it. */
 std::uint8_t
-plainType(const Values& values)
+plainType(const ColumnSurvey& survey, std::size_t column)
 {
   using Signed = std::numeric_limits<std::int32_t>;
   using Unsigned = std::numeric_limits<std::uint32_t>;
-  if (isWhole(values, 0.0, Unsigned::max()))
+  if (survey.isWhole(column, 0.0, Unsigned::max()))
     return pcl::PCLPointField::UINT32;
-  if (isWhole(values, Signed::min(), Signed::max()))
+  if (survey.isWhole(column, Signed::min(), Signed::max()))
     return pcl::PCLPointField::INT32;
-  return realType(values);
+  return realType(survey, column);
 }
 
 /** Makes fields of columns, one after the other. */
 class FieldMaking {
 public:
-  FieldMaking(const PointColumns& columns, LabelledCloud& cloud)
-  : columns_(columns), cloud_(cloud)
+  FieldMaking(const std::vector<std::string>& names,
+              const ColumnSurvey& survey,
+              LabelledCloud& cloud)
+  : names_(names), survey_(survey), cloud_(cloud)
   {
   }
 
-  void
+  std::vector<ColumnTarget>
   make()
   {
-    cloud_.fields.width = columns_.width;
-    cloud_.fields.height = columns_.height;
     has_bytes_of_color_ = hasWholeColors(255.0) && !areShares();
     channel_type_ = hasWholeColors(65535.0) && !areShares()
                         ? pcl::PCLPointField::UINT16
                         : pcl::PCLPointField::FLOAT32;
     const std::uint8_t coordinates = coordinateType();
-    for (std::size_t k = 0; k < columns_.names.size(); ++k)
+    for (std::size_t k = 0; k < names_.size(); ++k)
       addColumn(k, coordinates);
-    cloud_.fields.row_step = cloud_.fields.point_step * cloud_.fields.width;
-    cloud_.fields.data.assign(cloud_.size() * cloud_.fields.point_step, 0);
-    for (std::size_t k = 0; k < targets_.size(); ++k)
-      store(k);
+    return std::move(targets_);
   }
 
 private:
-  /** Where the values of a column go. */
-  struct Target {
-    std::size_t offset = 0;
-    std::uint8_t datatype = 0;
-  };
-
   std::size_t
   find(const std::string& name) const
   {
-    const auto found = std::find(columns_.names.begin(), columns_.names.end(), name);
-    return static_cast<std::size_t>(found - columns_.names.begin());
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    return static_cast<std::size_t>(found - names_.begin());
   }
 
   /** One type for all three: the widest that one of them needs. */
@@ -194,7 +112,7 @@ private:
   coordinateType() const
   {
     for (const char* const axis : {"x", "y", "z"})
-      if (!fitsFloat(columns_.values[find(axis)]))
+      if (!survey_.fitsFloat(find(axis)))
         return pcl::PCLPointField::FLOAT64;
     return pcl::PCLPointField::FLOAT32;
   }
@@ -204,8 +122,7 @@ private:
   hasWholeColors(double most) const
   {
     return std::all_of(std::begin(channels), std::end(channels), [&](const char* name) {
-      return find(name) < columns_.names.size() &&
-             isWhole(columns_.values[find(name)], 0.0, most);
+      return find(name) < names_.size() && survey_.isWhole(find(name), 0.0, most);
     });
   }
 
@@ -213,18 +130,17 @@ private:
   bool
   areShares() const
   {
-    return std::all_of(std::begin(channels), std::end(channels), [&](const char* name) {
-      const Values& values = columns_.values[find(name)];
-      return std::none_of(
-          values.begin(), values.end(), [](double v) { return v > 1.0; });
-    });
+    return std::none_of(
+        std::begin(channels), std::end(channels), [&](const char* name) {
+          return survey_.isAboveOne(find(name));
+        });
   }
 
   /** \param[in] coordinates the type of x, y and z */
   void
   addColumn(std::size_t k, std::uint8_t coordinates)
   {
-    const std::string& name = columns_.names[k];
+    const std::string& name = names_[k];
     const auto channel = std::find(std::begin(channels), std::end(channels), name);
     const bool is_color = channel != std::end(channels);
     if (is_color && has_bytes_of_color_)
@@ -232,9 +148,9 @@ private:
     const bool is_coordinate = name == "x" || name == "y" || name == "z";
     const bool is_real = name == "intensity" || name.rfind("normal_", 0) == 0;
     const std::uint8_t datatype = is_coordinate ? coordinates
-                                  : is_real     ? realType(columns_.values[k])
+                                  : is_real     ? realType(survey_, k)
                                   : is_color    ? channel_type_
-                                                : plainType(columns_.values[k]);
+                                                : plainType(survey_, k);
     targets_.push_back({addField(name, datatype, 1, cloud_.fields).offset, datatype});
   }
 
@@ -249,24 +165,12 @@ private:
         {static_cast<std::size_t>(color_offset_ + byte), pcl::PCLPointField::UINT8});
   }
 
-  void
-  store(std::size_t k)
-  {
-    std::uint8_t* target = cloud_.fields.data.data() + targets_[k].offset;
-    visitType(targets_[k].datatype, [&](auto type) {
-      for (const double value : columns_.values[k]) {
-        const auto converted = static_cast<decltype(type)>(value);
-        std::memcpy(target, &converted, sizeof(converted));
-        target += cloud_.fields.point_step;
-      }
-    });
-  }
-
-  const PointColumns& columns_;
+  const std::vector<std::string>& names_;
+  const ColumnSurvey& survey_;
   LabelledCloud& cloud_;
   bool has_bytes_of_color_ = false;
   std::uint8_t channel_type_ = 0; ///< of colors that are not bytes
-  std::vector<Target> targets_;
+  std::vector<ColumnTarget> targets_;
   std::int64_t color_offset_ = -1;
 };
 
@@ -300,27 +204,144 @@ namesCoordinates(const std::vector<std::string>& names)
   return true;
 }
 
+ColumnSurvey::ColumnSurvey(std::size_t columns, bool are_of_pts, std::size_t points)
+: columns_(columns)
+, has_intensity_(are_of_pts && columns > 3)
+, triple_(has_intensity_ ? 4 : 3)
+, stride_(strideOfSample(points))
+{
+}
+
 void
-setFields(PointColumns columns, LabelledCloud& cloud)
+ColumnSurvey::Column::take(double value, bool is_sampled)
+{
+  are_whole = are_whole && std::floor(value) == value;
+  least = value < least ? value : least;
+  most = value > most ? value : most;
+  if (!std::isfinite(value))
+    return;
+  const double error = std::abs(value - static_cast<double>(static_cast<float>(value)));
+  float_error = std::max(float_error, error);
+  if (is_sampled)
+    sample.push_back(value);
+}
+
+void
+ColumnSurvey::takeTriple(const Eigen::Vector3d& values)
+{
+  constexpr double tolerance = 0.01;
+  are_unit_ = are_unit_ && std::abs(values.norm() - 1.0) < tolerance;
+  are_shares_ = are_shares_ && values.minCoeff() >= 0.0 && values.maxCoeff() <= 1.0;
+  are_bytes_ = are_bytes_ && values.minCoeff() >= 0.0 && values.maxCoeff() <= 255.0 &&
+               values == values.array().floor().matrix();
+}
+
+bool
+ColumnSurvey::isWhole(std::size_t column, double least, double most) const
+{
+  const Column& values = columns_[column];
+  return values.are_whole && values.least >= least && values.most <= most;
+}
+
+bool
+ColumnSurvey::isAboveOne(std::size_t column) const
+{
+  return columns_[column].most > 1.0;
+}
+
+bool
+ColumnSurvey::fitsFloat(std::size_t column) const
+{
+  constexpr double small_share = 1e-6;
+  const Column& values = columns_[column];
+  return values.float_error == 0.0 ||
+         values.float_error <= small_share * bulkOfSample(values.sample).extent;
+}
+
+std::vector<std::string>
+ColumnSurvey::usualNames() const
+{
+  std::vector<std::string> names{"x", "y", "z"};
+  const auto add = [&](std::initializer_list<const char*> more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  const std::size_t count = columns_.size();
+  if (has_intensity_)
+    add({"intensity"});
+  const bool are_normals = are_unit_;
+  if (triple_ + 3 <= count && !are_normals && (are_bytes_ || are_shares_))
+    add({"red", "green", "blue"});
+  if (count == names.size() + 3)
+    add({"normal_x", "normal_y", "normal_z"});
+  else if (names.size() == 3 && (count == 4 || count == 5))
+    add({"intensity"});
+  while (names.size() < count)
+    names.push_back("column_" + std::to_string(names.size() + 1));
+  names.resize(count);
+  return names;
+}
+
+std::vector<ColumnTarget>
+defineFields(std::vector<std::string> names,
+             const ColumnSurvey& survey,
+             LabelledCloud& cloud)
 {
   const std::string wanted = "; x, y and z are needed";
-  if (columns.values.size() < 3)
-    throw CIDException(sentence(
-        cloud.name, ": has ", countOf(columns.values.size(), "column"), wanted));
-  const bool is_named = !columns.names.empty();
+  if (survey.columns() < 3)
+    throw CIDException(
+        sentence(cloud.name, ": has ", countOf(survey.columns(), "column"), wanted));
+  const bool is_named = !names.empty();
   if (!is_named)
-    columns.names = usualNames(columns);
-  if (!namesCoordinates(columns.names))
-    throw CIDException(sentence(
-        cloud.name, ": has the columns ", listed(columns.names, "and"), wanted));
-  for (const std::string& name : columns.names)
-    if (std::count(columns.names.begin(), columns.names.end(), name) > 1)
+    names = survey.usualNames();
+  if (!namesCoordinates(names))
+    throw CIDException(
+        sentence(cloud.name, ": has the columns ", listed(names, "and"), wanted));
+  for (const std::string& name : names)
+    if (std::count(names.begin(), names.end(), name) > 1)
       throw CIDException(sentence(
           cloud.name, ": two columns are named '", name, "'; names must differ"));
   if (!is_named)
     cloud.remarks.push_back("its columns have no names; by their order they are " +
-                            listed(columns.names, "and"));
-  FieldMaking(columns, cloud).make();
+                            listed(names, "and"));
+  return FieldMaking(names, survey, cloud).make();
+}
+
+void
+storeColumn(const ColumnTarget& target,
+            const double* values,
+            std::size_t step,
+            std::size_t count,
+            const LabelledCloud& cloud,
+            std::uint8_t* points)
+{
+  visitType(target.datatype, [&](auto type) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto converted = static_cast<decltype(type)>(values[i * step]);
+      std::memcpy(points + i * cloud.fields.point_step + target.offset,
+                  &converted,
+                  sizeof(converted));
+    }
+  });
+}
+
+void
+setFields(const PointColumns& columns, LabelledCloud& cloud)
+{
+  cloud.fields.width = columns.width;
+  cloud.fields.height = columns.height;
+  ColumnSurvey survey(columns.values.size(), columns.are_of_pts, cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    survey.take([&](std::size_t k) { return columns.values[k][i]; });
+  const std::vector<ColumnTarget> targets = defineFields(columns.names, survey, cloud);
+  cloud.fields.row_step = cloud.fields.point_step * cloud.fields.width;
+  cloud.fields.data.assign(cloud.size() * cloud.fields.point_step, 0);
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    storeColumn(targets[k],
+                columns.values[k].data(),
+                1,
+                cloud.size(),
+                cloud,
+                cloud.fields.data.data());
 }
 
 } // namespace pcl_cid

@@ -4,332 +4,104 @@
  * pcl_cid: Concavity-Induced Distance for point clouds
  * Copyright (c) 2026, pcl_cid contributors
  *
- * Reading text: a line of numbers for each point, and perhaps names of the columns.
+ * Reading text: all points at once, or block by block.
  */
 
-#include "base/sentence.h"
 #include "column_formats.h"
 #include "point_columns.h"
-#include "text/file_reading.h"
-#include "text/numbers.h"
-#include "text/path_names.h"
-#include "text/words.h"
-#include "text_layout.h"
+#include "text_points.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <istream>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace pcl_cid {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-bool
-isBlankLine(std::string_view line)
-{
-  return line.find_first_not_of(usual_blanks) == std::string_view::npos;
-}
-
-/** What follows "#" or "//"; none for a line that is no comment. */
-std::optional<std::string_view>
-commentOf(std::string_view line)
-{
-  line.remove_prefix(std::min(line.find_first_not_of(usual_blanks), line.size()));
-  for (const std::string_view mark : {"#", "//"})
-    if (line.substr(0, mark.size()) == mark)
-      return line.substr(std::min(line.find_first_not_of("#/"), line.size()));
-  return std::nullopt;
-}
-
-/** A number; where a comma separates no cells, it may stand for the decimal point. An
- *  empty cell is none, as NaN is. */
-std::optional<double>
-numberOf(std::string_view cell, char separator)
-{
-  if (cell.empty())
-    return not_a_number;
-  const std::optional<double> number = parseLoosely<double>(cell);
-  if (number || separator == ',' || cell.find('.') != std::string_view::npos)
-    return number;
-  std::string text(cell);
-  std::replace(text.begin(), text.end(), ',', '.');
-  return parseLoosely<double>(text);
-}
-
-/** The names of fields that a line may hold. */
-std::vector<std::string>
-namesIn(std::string_view line, char separator)
-{
-  std::vector<std::string> names;
-  for (const std::string& cell : cellsOf(line, separator))
-    names.push_back(fieldNameOf(cell));
-  return names;
-}
-
-/** A column of the file. */
-struct TextColumn {
-  std::string name;        ///< as of a field; empty: it has none
-  bool has_numbers = true; ///< else it is passed over
-};
-
-/** Reads one file; each member function is one part of it. */
-class TextReading {
-public:
-  TextReading(std::istream& stream, LabelledCloud& cloud)
-  : stream_(stream), line_end_(lineEndOf(stream)), cloud_(cloud)
-  {
-    passByteOrderMark(stream);
-  }
-
-  void
-  read()
-  {
-    readHead();
-    do
-      takeLine();
-    while (nextLine());
-    requireCount();
-    setFields(pointColumns(), cloud_);
-  }
-
-private:
-  template <typename... Parts>
-  [[noreturn]] void
-  fail(const Parts&... parts) const
-  {
-    throw CIDException(sentence(cloud_.name, ": line ", line_number_, ": ", parts...));
-  }
-
-  bool
-  nextLine()
-  {
-    ++line_number_;
-    return static_cast<bool>(std::getline(stream_, line_, line_end_));
-  }
-
-  /** All up to the first point: comments, names of the columns, the number of points.
-   *  \post line_ holds the first point */
-  void
-  readHead()
-  {
-    std::string names;        // of a line before the points, or else of a comment
-    std::size_t names_at = 0; // that line; 0: it is a comment
-    while (nextLine()) {
-      if (line_.find('\0') != std::string::npos)
-        fail("holds bytes that are no text");
-      if (const auto comment = commentOf(line_)) {
-        if (names_at == 0 && namesCoordinates(namesIn(*comment, separatorOf(*comment))))
-          names = *comment;
-      }
-      else if (isBlankLine(line_) || isNameOfSeparator(line_))
-        continue;
-      else if (const auto count = countIn(line_))
-        count_ = count;
-      else if (!isPoint(line_) && names_at == 0) {
-        names = line_;
-        names_at = line_number_;
-      }
-      else
-        return beginColumns(names, names_at);
-    }
-    throw CIDException(cloud_.name + ": holds no points; at least 1 is needed");
-  }
-
-  /** "sep=;", as spreadsheets write it. */
-  static bool
-  isNameOfSeparator(std::string_view line)
-  {
-    return line.substr(0, 4) == "sep=" && line.size() <= 6;
-  }
-
-  /** The number of points that follow, as a PTS has it: a whole number alone. */
-  static std::optional<std::uint64_t>
-  countIn(std::string_view line)
-  {
-    const std::string_view word = takeWord(line);
-    return takeWord(line).empty() ? parseNumber<std::uint64_t>(word) : std::nullopt;
-  }
-
-  /** Whether a line begins with a number, or with nothing where one may stand. */
-  static bool
-  isPoint(std::string_view line)
-  {
-    const char separator = separatorOf(line);
-    if (namesCoordinates(namesIn(line, separator)))
-      return false;
-    const std::optional<std::string_view> cell = takeCell(line, separator);
-    return cell && numberOf(*cell, separator);
-  }
-
-  /** \param[in] names a comment, or the line before the points
-   *  \param[in] names_at the number of that line; 0: it is a comment */
-  void
-  beginColumns(const std::string& names, std::size_t names_at)
-  {
-    separator_ = separatorOf(line_);
-    first_point_ = line_number_;
-    std::vector<std::string> cells = cellsOf(line_, separator_);
-    // Some programs end a line with a separator.
-    if (cells.back().empty() && namesIn(names, separator_).size() != cells.size())
-      cells.pop_back();
-    columns_.resize(cells.size());
-    takeNames(names, names_at);
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      columns_[k].has_numbers =
-          isNeeded(columns_[k].name) || numberOf(cells[k], separator_);
-    values_.resize(cells.size());
-  }
-
-  /** Whether a column cannot be passed over. */
-  static bool
-  isNeeded(const std::string& name)
-  {
-    return name.empty() || name == "x" || name == "y" || name == "z";
-  }
-
-  /** Names are laid out as the points, or in their own way. A comment need not hold
-   *  any. */
-  void
-  takeNames(const std::string& line, std::size_t names_at)
-  {
-    for (const char separator : {separator_, separatorOf(line)}) {
-      const std::vector<std::string> names = namesIn(line, separator);
-      if (names.size() != columns_.size() || !namesCoordinates(names))
-        continue;
-      for (std::size_t k = 0; k < names.size(); ++k)
-        columns_[k].name =
-            names[k].empty() ? "column_" + std::to_string(k + 1) : names[k];
-      return;
-    }
-    if (names_at != 0)
-      throw CIDException(sentence(cloud_.name,
-                                  ": line ",
-                                  names_at,
-                                  ": '",
-                                  line.substr(0, 64),
-                                  "' is no point, and does not name the ",
-                                  countOf(columns_.size(), "column"),
-                                  " of line ",
-                                  line_number_,
-                                  " with x, y and z among them"));
-  }
-
-  void
-  takeLine()
-  {
-    if (isBlankLine(line_) || (commentOf(line_) && !isErrorOfSpreadsheet(line_)))
-      return;
-    const auto more = count_ ? countIn(line_) : std::nullopt;
-    if (more) // a PTS of several scans
-      *count_ += *more;
-    else
-      takePoint(line_);
-  }
-
-  /** "#N/A" and the like stand where a number is missing. */
-  static bool
-  isErrorOfSpreadsheet(std::string_view line)
-  {
-    for (const std::string_view error :
-         {"#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#REF!"})
-      if (line.substr(0, error.size()) == error)
-        return true;
-    return false;
-  }
-
-  void
-  takePoint(std::string_view line)
-  {
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const std::optional<std::string_view> cell = takeCell(line, separator_);
-      if (!cell)
-        fail(countOf(k, "value"),
-             "; as on line ",
-             first_point_,
-             " there must be ",
-             columns_.size());
-      if (!columns_[k].has_numbers)
-        continue;
-      const std::optional<double> number = numberOf(*cell, separator_);
-      if (!number)
-        fail("'", cell->substr(0, 32), "' is no number", ofColumn(k));
-      values_[k].push_back(*number);
-    }
-    while (const std::optional<std::string_view> cell = takeCell(line, separator_))
-      if (!cell->empty()) // some programs end a line with a separator
-        fail("more than the ", columns_.size(), " values of line ", first_point_);
-    if (++points_ > most_points)
-      fail("more than ", most_points, " points are not possible");
-  }
-
-  std::string
-  ofColumn(std::size_t k) const
-  {
-    return sentence(" (column ",
-                    k + 1,
-                    columns_[k].name.empty() ? "" : ", " + columns_[k].name,
-                    ")");
-  }
-
-  void
-  requireCount() const
-  {
-    if (count_ && *count_ != points_)
-      throw CIDException(sentence(cloud_.name,
-                                  ": says that it holds ",
-                                  countOf(*count_, "point"),
-                                  ", but there are ",
-                                  points_));
-  }
-
-  PointColumns
-  pointColumns()
-  {
-    PointColumns columns;
-    std::vector<std::string> passed_over;
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      if (!columns_[k].has_numbers) {
-        passed_over.push_back("'" + columns_[k].name + "'");
-        continue;
-      }
-      if (!columns_[k].name.empty())
-        columns.names.push_back(columns_[k].name);
-      columns.values.push_back(std::move(values_[k]));
-    }
-    if (!passed_over.empty())
-      cloud_.remarks.push_back("columns without numbers are passed over: " +
-                               listed(passed_over, "and"));
-    columns.are_of_pts = count_.has_value();
-    columns.width = static_cast<std::uint32_t>(points_);
-    cloud_.layout = {"text", CloudEncoding::ascii};
-    return columns;
-  }
-
-  std::istream& stream_;
-  const char line_end_;
-  LabelledCloud& cloud_;
-  std::string line_;
-  std::size_t line_number_ = 0;
-  std::size_t first_point_ = 0;        ///< its line
-  std::optional<std::uint64_t> count_; ///< of points, as the file says
-  char separator_ = ' ';
-  std::vector<TextColumn> columns_;
-  std::vector<std::vector<double>> values_; ///< of each column
-  std::size_t points_ = 0;
-};
-
 void
 readText(std::istream& stream, std::uint64_t, LabelledCloud& cloud)
 {
-  TextReading(stream, cloud).read();
+  TextPoints points(stream, cloud);
+  PointColumns columns;
+  columns.values.resize(points.columns());
+  while (points.next())
+    for (std::size_t k = 0; k < columns.values.size(); ++k)
+      columns.values[k].push_back(points.row()[k]);
+  points.requireCount();
+  columns.names = points.names();
+  columns.are_of_pts = points.areOfPTS();
+  columns.width = static_cast<std::uint32_t>(points.points());
+  setFields(columns, cloud);
+}
+
+/** A text block by block. What its columns are follows from all of its values, so it is
+ *  read twice before: to count the points, and to look at them. */
+class TextRows : public CloudRows {
+public:
+  TextRows(std::istream& stream, LabelledCloud& head)
+  : points_(stream, head), cloud_(head)
+  {
+    while (points_.pass())
+      continue;
+    const std::size_t count = points_.points();
+    ColumnSurvey survey(points_.columns(), points_.areOfPTS(), count);
+    points_.begin();
+    while (points_.next())
+      survey.take([&](std::size_t k) { return points_.row()[k]; });
+    points_.requireCount();
+    head.fields.width = static_cast<std::uint32_t>(count);
+    head.fields.height = 1;
+    targets_ = defineFields(points_.names(), survey, head);
+    head.fields.row_step = head.fields.point_step * head.fields.width;
+  }
+
+  void
+  begin() override
+  {
+    points_.begin();
+  }
+
+  void
+  read(std::size_t count, std::uint8_t* points) override
+  {
+    std::vector<double> values;
+    values.reserve(count * points_.columns());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!points_.next())
+        failForChange();
+      values.insert(values.end(), points_.row().begin(), points_.row().end());
+    }
+    std::fill_n(points, count * cloud_.fields.point_step, std::uint8_t{0});
+    for (std::size_t k = 0; k < targets_.size(); ++k)
+      storeColumn(
+          targets_[k], values.data() + k, targets_.size(), count, cloud_, points);
+  }
+
+  void
+  end() override
+  {
+    if (points_.pass())
+      failForChange();
+  }
+
+private:
+  [[noreturn]] void
+  failForChange() const
+  {
+    throw CIDException(cloud_.name + ": has changed while it was read");
+  }
+
+  TextPoints points_;
+  LabelledCloud& cloud_;
+  std::vector<ColumnTarget> targets_;
+};
+
+std::unique_ptr<CloudRows>
+streamText(std::istream& stream, std::uint64_t, LabelledCloud& head)
+{
+  return std::make_unique<TextRows>(stream, head);
 }
 
 } // namespace
@@ -342,6 +114,8 @@ textFormat()
   format.extensions = {".xyz", ".xyzn", ".xyzrgb", ".txt", ".csv", ".pts", ".asc"};
   format.is_of_scans_only = false;
   format.read = readText;
+  format.streams = "text";
+  format.stream = streamText;
   return format;
 }
 

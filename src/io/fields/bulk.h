@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl_cid {
@@ -23,23 +24,37 @@ struct Bulk {
   double extent = 0.0; ///< how far apart the middle 90 percent are
 };
 
-/** \brief The bulk of values, from a sample of about 10,000 of them.
- *  \param[in] value called as value(i); what is not finite does not count */
-template <typename Value>
-Bulk
-bulkOf(std::size_t count, const Value& value)
+/** \brief Every so many values are a sample of about 10,000 of them, from the first. */
+inline std::size_t
+strideOfSample(std::size_t count)
 {
   constexpr std::size_t sample_size = 10000;
-  const std::size_t stride = 1 + count / sample_size;
-  std::vector<double> sample;
-  for (std::size_t i = 0; i < count; i += stride)
-    if (const double each = value(i); std::isfinite(each))
-      sample.push_back(each);
+  return 1 + count / sample_size;
+}
+
+/** \brief The bulk of finite values. */
+inline Bulk
+bulkOfSample(std::vector<double> sample)
+{
   if (sample.empty()) // nothing is known to be astray
     return {0.0, std::numeric_limits<double>::infinity()};
   std::sort(sample.begin(), sample.end());
   const std::size_t last = sample.size() - 1;
   return {sample[last / 2], sample[last - last / 20] - sample[last / 20]};
+}
+
+/** \brief The bulk of values, from a sample of them.
+ *  \param[in] value called as value(i); what is not finite does not count */
+template <typename Value>
+Bulk
+bulkOf(std::size_t count, const Value& value)
+{
+  const std::size_t stride = strideOfSample(count);
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < count; i += stride)
+    if (const double each = value(i); std::isfinite(each))
+      sample.push_back(each);
+  return bulkOfSample(std::move(sample));
 }
 
 } // namespace pcl_cid

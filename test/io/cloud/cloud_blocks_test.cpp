@@ -105,6 +105,62 @@ TEST(CloudBlocks, AreThoseOfTheWholeCloud)
   }
 }
 
+/** The types of columns follow from all values, of which the last may be another. */
+TEST(CloudBlocks, ReadTextAsAllAtOnce)
+{
+  const TemporaryFolder folder;
+  std::string far_off = "x,y,z,class\n";
+  std::string colors = "# x y z r g b\r\n";
+  std::string pts = "2\n1 2 3 -500 1 2 3\n4 5.5 6 7 255 0 9\n";
+  for (int i = 0; i < 30000; ++i) {
+    far_off += std::to_string(456000.0 + 0.001 * (i % 977)) + ",5400000.25," +
+               std::to_string(i % 7) + (i == 29999 ? ",-1\n" : ",3\n");
+    if (i < 40)
+      colors += "1 2 " + std::to_string(i) + " 0.25 1 0.5\r\n\r\n";
+  }
+  int number = 0;
+  for (const std::string& text :
+       {std::string("1 2 3\n4 5.5 6e-3\nnan 8 9\n"),
+        std::string("\xEF\xBB\xBF//X,Y,Z,R,G,B,class\n2\n1,2,3,255,0,1,wall\n"
+                    "4,5,6,1,2,3,\n"),
+        std::string("sep=;\nx;y;z;\"my label\"\r\n1,5;2;3;4\r\n;;;5\r\n"),
+        std::string("1 2 3 0 0 1\r4 5 6 0 1 0\r# end\r"),
+        std::string("1 2 3 9 8 255\n4 5 6 1 0 0"),
+        std::string("1 2 3 9 8 256\n4 5 6 1 0 0"),
+        pts,
+        pts + "1\n1 2 3 4 5 6 7\n",
+        colors,
+        colors + "1 2 3 300 4 5\n",
+        far_off}) {
+    const std::string path = folder.file(std::to_string(number++) + ".txt");
+    writeText(path, text);
+    SCOPED_TRACE(text.substr(0, 60));
+    const LabelledCloud expected = readCloud(path);
+    for (const std::size_t most : {std::size_t{3}, std::size_t{65536}}) {
+      CloudBlockReader reader(path, "", setting::scale.initial, most);
+      for (int time = 0; time < 2; ++time) {
+        expectEqual(readInBlocks(reader, most), expected);
+        reader.rewind();
+      }
+    }
+  }
+}
+
+TEST(CloudBlocks, SeeThatATextHasChanged)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.xyz");
+  for (const char* const text :
+       {"1 2 3\n", "1 2 3\n4 5 6\n7 8 9\n", "1 2 3\n4 5 7\n"}) {
+    writeText(path, "1 2 3\n4 5 6\n");
+    CloudBlockReader reader(path);
+    readInBlocks(reader, 65536);
+    std::ofstream(path) << text; // the same file, which is open
+    reader.rewind();
+    EXPECT_THROW(readInBlocks(reader, 65536), CIDException) << text;
+  }
+}
+
 TEST(CloudBlocks, ReadWhatOtherProgramsWrite)
 {
   const TemporaryFolder folder;
@@ -166,7 +222,7 @@ TEST(CloudBlocks, RefuseWhatIsNoRowOfPoints)
   };
   saveCloud(folder.file("a.pcd"), deskScan(), pcd_compressed);
   saveCloud(folder.file("a.ply"), deskScan(), ply_ascii);
-  writeText(folder.file("a.xyz"), "1 2 3\n");
+  writeText(folder.file("a.npy"), "\x93NUMPY");
   writeText(folder.file("list.ply"),
             "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float "
             "x\nproperty float y\nproperty float z\nproperty list uchar float "
@@ -178,7 +234,7 @@ TEST(CloudBlocks, RefuseWhatIsNoRowOfPoints)
   for (const auto& [name, what] : {std::pair("a.pcd", "this PCD file"),
                                    std::pair("a.ply", "this PLY file"),
                                    std::pair("list.ply", "this PLY file"),
-                                   std::pair("a.xyz", "this text file"),
+                                   std::pair("a.npy", "this NumPy file"),
                                    std::pair("a.gz", "a file packed by gzip")})
     EXPECT_EQ(complaint(folder.file(name)),
               std::string(": ") + what + " cannot be read block by block; " +
@@ -187,6 +243,25 @@ TEST(CloudBlocks, RefuseWhatIsNoRowOfPoints)
   EXPECT_EQ(complaint(folder.file("missing.pcd")), ": there is no such file");
   EXPECT_NE(whatCanBeReadInBlocks().find("a PCD that is not compressed"),
             std::string::npos);
+}
+
+/** What is wrong with a text shows before the work, in the words of readCloud(). */
+TEST(CloudBlocks, ComplainOfTextAsTheWholeDoes)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.xyz");
+  for (const char* const text : {"1 2\n",
+                                 "1 2 3\n4 5\n",
+                                 "1 2 3\n4 5 six\n",
+                                 "1 2 3\n4 5 6 7\n",
+                                 "3\n1 2 3\n",
+                                 "x y y\n1 2 3\n",
+                                 "# nothing\n"}) {
+    writeText(path, text);
+    const std::string expected = complaintAbout(path, [&] { readCloud(path); });
+    EXPECT_NE(expected, "none") << text;
+    EXPECT_EQ(complaintAbout(path, [&] { CloudBlockReader reader(path); }), expected);
+  }
 }
 
 /** What is wrong with a file, all at once and in blocks. */
