@@ -15,6 +15,7 @@
 #include "part_scenes.h"
 
 #include <pcl_cid/exceptions.h>
+#include <pcl_cid/io/cloud_blocks.h>
 #include <pcl_cid/io/cloud_points.h>
 #include <pcl_cid/io/mesh_export.h>
 #include <pcl_cid/io/mesh_import.h>
@@ -27,6 +28,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -94,6 +96,34 @@ useCloud(const LabelledCloud& cloud)
   colorsOf(cloud);
 }
 
+/** The bytes of all points of a file, read in small blocks; none for a file that is
+ *  refused. */
+std::optional<std::vector<std::uint8_t>>
+bytesInBlocks(const std::string& path)
+{
+  try {
+    CloudBlockReader reader(path, "", setting::scale.initial, 2);
+    std::vector<std::uint8_t> bytes;
+    LabelledCloud block;
+    while (reader.read(block))
+      bytes.insert(bytes.end(), block.fields.data.begin(), block.fields.data.end());
+    return bytes;
+  }
+  catch (const CIDException&) {
+    return std::nullopt;
+  }
+}
+
+/** What can be read in blocks is the same all at once. */
+void
+readCloudTwice(const std::string& path)
+{
+  const auto bytes = bytesInBlocks(path);
+  const LabelledCloud cloud = readCloud(path);
+  require(!bytes || *bytes == cloud.fields.data, "a cloud is another in blocks");
+  useCloud(cloud);
+}
+
 /** A reader of files of one kind.
  *  \param[in] path where such a file stands */
 template <typename Read>
@@ -136,8 +166,9 @@ cloudReader(const char* name,
 {
   std::vector<std::string> corpus = cloudFiles(layouts);
   corpus.insert(corpus.end(), more.begin(), more.end());
-  const auto read = [](const std::string& path) { useCloud(readCloud(path)); };
-  return {name, fromFile(folder().file(std::string(name) + extension), read), corpus};
+  return {name,
+          fromFile(folder().file(std::string(name) + extension), readCloudTwice),
+          corpus};
 }
 
 template <typename Read, typename Write>

@@ -31,13 +31,17 @@ fileFormats()
   return formats;
 }
 
-/** The place of a point of the input among those that are worked on. What is no point
- * of it at all, the library refuses. */
+/** The place of a point of the input among those that are worked on. Where these are
+ *  all, the library refuses what is no point of it. */
 int
 placeOf(int start_index, const CloudPoints& points)
 {
   if (points.source.empty())
     return start_index;
+  if (start_index >= 0 && static_cast<std::size_t>(start_index) >= points.sizeOfFile())
+    throw CIDException("--start-index is " + std::to_string(start_index) +
+                       "; INPUT has " + std::to_string(points.sizeOfFile()) +
+                       " points, numbered from 0");
   const pcl::index_t place = points.find(start_index);
   if (place < 0)
     throw CIDException(

@@ -132,6 +132,7 @@ VoxelScan::VoxelScan(const Settings& settings,
   scan_.cloud = voxels_->takeCloud();
   scan_.points = pointsOf(scan_.cloud, {true, run.remark()});
   scan_.points.source = voxels_->source();
+  scan_.points.points_in_file = reader_.head().size();
   useOutputUnit(settings, scan_);
   remarkOnUnit(settings, scan_, run);
   run.end(std::to_string(reader_.head().size()) + " points, " +

@@ -36,9 +36,12 @@ withTruth(const SegmentSettings& settings, const LoadedScan& scan, Run& run)
 {
   SegmentedScan result;
   result.name = scan.name;
+  const RemarkCallback remark = [&](const std::string& sentence) {
+    run.remark()(sentence + (settings.voxel ? ", of those of voxels" : ""));
+  };
   if (!settings.labels_from.empty())
     result.true_labels =
-        labelsOf(scan.cloud, settings.labels_from, scan.points, run.remark());
+        labelsOf(scan.cloud, settings.labels_from, scan.points, remark);
   if (!settings.scannet.submission.empty())
     result.true_classes = labelsOf(scan.cloud, "semantic", scan.points, run.remark());
   requireLabelsFit(result.true_labels, settings.label_type);

@@ -47,6 +47,15 @@ struct PCL_CID_IO_EXPORT CloudPoints {
   /** Index in the file of each point, ascending, where these are only some of its
    * points (see VoxelCloud); empty: they are all of them. */
   pcl::Indices source = {};
+  /** How many points the file has, where these are only some of them. */
+  std::size_t points_in_file = 0;
+
+  /** \brief How many points the file has. */
+  std::size_t
+  sizeOfFile() const
+  {
+    return source.empty() ? points->size() : points_in_file;
+  }
 
   /** \brief The index in the file of a point. */
   pcl::index_t

@@ -204,7 +204,8 @@ private:
   {
     const auto index = text_.number<std::int64_t>(row.index);
     const pcl::index_t point = index ? points_.find(*index) : -1;
-    if (point < 0 && index && *index >= 0 && !points_.source.empty())
+    if (point < 0 && index && *index >= 0 &&
+        static_cast<std::uint64_t>(*index) < points_.sizeOfFile())
       fail(row,
            "the index is ",
            *index,
@@ -216,7 +217,7 @@ private:
            "the index is '",
            row.index,
            "'; it must be a whole number, 0 to ",
-           points_.indexInFile(static_cast<pcl::index_t>(points_.points->size()) - 1));
+           points_.sizeOfFile() - 1);
     if (!(*points_.points)[static_cast<std::size_t>(point)]
              .getVector3fMap()
              .allFinite())

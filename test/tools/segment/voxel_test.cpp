@@ -89,6 +89,18 @@ TEST_F(VoxelTool, DoesWhatIsDoneByHand)
   }
 }
 
+TEST_F(VoxelTool, DoesWhatIsDoneByHandWithText)
+{
+  const LabelledCloud desk = deskScan();
+  const FileCoordinates at(desk);
+  std::string text = "x,y,z\n";
+  for (std::size_t i = 0; i < desk.size(); ++i)
+    text += std::to_string(at[i].x()) + "," + std::to_string(at[i].y()) + "," +
+            std::to_string(at[i].z()) + "\n";
+  writeText(file("desk.csv"), text);
+  expectAsByHand(file("desk.csv"), 0.1);
+}
+
 TEST_F(VoxelTool, DoesWhatIsDoneByHandWithRealScans)
 {
   const std::string organized = binaryCopyOf("office1.pcd");
@@ -190,6 +202,16 @@ TEST_F(VoxelTool, RefusesPointsThatNoVoxelKept)
       complaintOf(
           {scan, file("o.pcd"), "--voxel", "0.1", "--labels", file("seeds.csv")}, 1)
           .find("seeds.csv: line 2: the index is " + index + ", which is no point"),
+      std::string::npos);
+  EXPECT_NE(
+      complaintOf({scan, file("o.pcd"), "--voxel", "0.1", "--start-index", "1200"}, 1)
+          .find("--start-index is 1200; INPUT has 1200 points"),
+      std::string::npos);
+  writeText(file("seeds.csv"), "index,label\n1200,1\n");
+  EXPECT_NE(
+      complaintOf(
+          {scan, file("o.pcd"), "--voxel", "0.1", "--labels", file("seeds.csv")}, 1)
+          .find("the index is '1200'; it must be a whole number, 0 to 1199"),
       std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file("o.pcd")));
 }
