@@ -43,6 +43,17 @@ private:
   bool is_told_ = false;
 };
 
+/** Begin the step, of which opening the file may be a long part.
+ *  \return the file */
+const std::string&
+beginReading(const Settings& settings, Run& run)
+{
+  if (!settings.many.output_dir.empty())
+    run.console.beBriefOn(settings.input);
+  run.begin("Reading " + settings.input);
+  return settings.input;
+}
+
 } // namespace
 
 void
@@ -99,16 +110,15 @@ VoxelScan::VoxelScan(const Settings& settings,
                      const std::string& output,
                      const decltype(VoxelOptions::check)& check,
                      Run& run)
-: reader_(settings.input,
+: reader_(beginReading(settings, run),
           settings.input_format.empty() ? "" : "." + settings.input_format,
-          settings.scale)
+          settings.scale,
+          CloudBlockReader::usual_block,
+          run.console.progress())
 , output_(output)
 , layout_(output.empty() ? CloudLayout()
                          : blockLayoutFor(output, reader_.head().layout))
 {
-  if (!settings.many.output_dir.empty())
-    run.console.beBriefOn(settings.input);
-  run.begin("Reading " + settings.input);
   OutputCheck requireHolds(output, run);
   VoxelOptions options;
   options.size = *settings.voxel;

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <pcl_cid/core/execution.h>
 #include <pcl_cid/io/labelled_cloud.h>
 #include <pcl_cid/pcl_cid_io_export.h>
 
@@ -38,13 +39,15 @@ public:
   /** \param[in] path,extension as in readCloud(); not the standard input
    *  \param[in] scale LabelledCloud::scale
    *  \param[in] block most points of a block, at least 1
-   *  \throws CIDException as readCloud(), as far as the head of the file tells, and
+   *  \param[in] progress told how far a text was read, whose head follows from all of
+   * it \throws CIDException as readCloud(), as far as the head of the file tells, and
    * when it cannot be read block by block: when gzip packed it, or its format says so;
-   * the message says what can */
+   * the message says what can; CIDCancelled */
   explicit CloudBlockReader(const std::string& path,
                             const std::string& extension = "",
                             double scale = setting::scale.initial,
-                            std::size_t block = usual_block);
+                            std::size_t block = usual_block,
+                            const ProgressCallback& progress = {});
   ~CloudBlockReader();
   CloudBlockReader(const CloudBlockReader&) = delete;
   CloudBlockReader&

@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include <pcl_cid/core/execution.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -117,10 +119,13 @@ struct CloudFormat {
    *  \param[in] stream at the beginning of the file; it outlives the result
    *  \param[in] size of the file in bytes, at least 1
    *  \param[in,out] head as in \a read, but its data stay empty; it outlives the result
+   *  \param[in] progress told of what must be read of the file before; may be empty
    *  \return null for a file that cannot be read like this
-   *  \throws CIDException as \a read */
-  std::function<std::unique_ptr<CloudRows>(
-      std::istream& stream, std::uint64_t size, LabelledCloud& head)>
+   *  \throws CIDException as \a read; CIDCancelled */
+  std::function<std::unique_ptr<CloudRows>(std::istream& stream,
+                                           std::uint64_t size,
+                                           LabelledCloud& head,
+                                           const ProgressCallback& progress)>
       stream = {};
   /** Refuse a cloud that the format cannot hold; empty for one that holds all. Called
    *  before the work, and before \a write.

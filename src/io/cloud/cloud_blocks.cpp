@@ -97,7 +97,8 @@ struct CloudBlockReader::State {
 CloudBlockReader::CloudBlockReader(const std::string& path,
                                    const std::string& extension,
                                    double scale,
-                                   std::size_t block)
+                                   std::size_t block,
+                                   const ProgressCallback& progress)
 : state_(std::make_unique<State>())
 {
   require(setting::scale, scale);
@@ -108,7 +109,7 @@ CloudBlockReader::CloudBlockReader(const std::string& path,
   s.head.name = path;
   const CloudFormat& format = formatOf(s.file, path, extension);
   if (format.stream)
-    s.rows = format.stream(*s.file.stream, s.file.size, s.head);
+    s.rows = format.stream(*s.file.stream, s.file.size, s.head, progress);
   if (!s.rows)
     refuseBlocks(path, "this " + format.name + " file");
   requireWhole(s.head, 0);

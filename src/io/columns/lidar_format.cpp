@@ -157,7 +157,10 @@ readLidar(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 }
 
 std::unique_ptr<CloudRows>
-streamLidar(std::istream& stream, std::uint64_t size, LabelledCloud& head)
+streamLidar(std::istream& stream,
+            std::uint64_t size,
+            LabelledCloud& head,
+            const ProgressCallback&)
 {
   return std::make_unique<LidarReading>(stream, size, head);
 }

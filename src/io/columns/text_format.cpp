@@ -36,20 +36,44 @@ readText(std::istream& stream, std::uint64_t, LabelledCloud& cloud)
   setFields(columns, cloud);
 }
 
+/** Tells how far a text that is read twice was read. */
+struct Telling {
+  std::istream& stream;
+  std::uint64_t size; ///< of the file
+  const ProgressCallback& progress;
+
+  /** Now and then.
+   *  \param[in] points so far
+   *  \param[in] begin 0 the first time, 0.5 the second */
+  void
+  tell(std::size_t points, double begin) const
+  {
+    constexpr std::size_t seldom = 1 << 16;
+    if (!progress || points % seldom != 0)
+      return;
+    const auto at = static_cast<double>(
+        std::max(std::streamoff{0}, std::streamoff(stream.tellg())));
+    if (!progress(begin + 0.5 * std::min(1.0, at / static_cast<double>(size))))
+      throw CIDCancelled();
+  }
+};
+
 /** A text block by block. What its columns are follows from all of its values, so it is
  *  read twice before: to count the points, and to look at them. */
 class TextRows : public CloudRows {
 public:
-  TextRows(std::istream& stream, LabelledCloud& head)
+  TextRows(std::istream& stream, LabelledCloud& head, const Telling& telling)
   : points_(stream, head), cloud_(head)
   {
     while (points_.pass())
-      continue;
+      telling.tell(points_.points(), 0.0);
     const std::size_t count = points_.points();
     ColumnSurvey survey(points_.columns(), points_.areOfPTS(), count);
     points_.begin();
-    while (points_.next())
+    while (points_.next()) {
       survey.take([&](std::size_t k) { return points_.row()[k]; });
+      telling.tell(points_.points(), 0.5);
+    }
     points_.requireCount();
     head.fields.width = static_cast<std::uint32_t>(count);
     head.fields.height = 1;
@@ -99,9 +123,12 @@ private:
 };
 
 std::unique_ptr<CloudRows>
-streamText(std::istream& stream, std::uint64_t, LabelledCloud& head)
+streamText(std::istream& stream,
+           std::uint64_t size,
+           LabelledCloud& head,
+           const ProgressCallback& progress)
 {
-  return std::make_unique<TextRows>(stream, head);
+  return std::make_unique<TextRows>(stream, head, Telling{stream, size, progress});
 }
 
 } // namespace

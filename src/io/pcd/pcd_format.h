@@ -27,7 +27,10 @@ readPCD(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
 
 /** \brief Read a PCD block by block; see CloudFormat::stream. */
 std::unique_ptr<CloudRows>
-streamPCD(std::istream& stream, std::uint64_t size, LabelledCloud& head);
+streamPCD(std::istream& stream,
+          std::uint64_t size,
+          LabelledCloud& head,
+          const ProgressCallback&);
 
 /** \brief Write a PCD block by block. */
 CloudPieces

@@ -362,7 +362,10 @@ readPCD(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 }
 
 std::unique_ptr<CloudRows>
-streamPCD(std::istream& stream, std::uint64_t size, LabelledCloud& head)
+streamPCD(std::istream& stream,
+          std::uint64_t size,
+          LabelledCloud& head,
+          const ProgressCallback&)
 {
   auto reading = std::make_unique<PCDReading>(stream, size, head);
   if (!reading->hasRows())

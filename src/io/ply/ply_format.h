@@ -34,7 +34,10 @@ readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud);
 
 /** \brief Read a PLY block by block; see CloudFormat::stream. */
 std::unique_ptr<CloudRows>
-streamPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& head);
+streamPLYCloud(std::istream& stream,
+               std::uint64_t size,
+               LabelledCloud& head,
+               const ProgressCallback&);
 
 /** \brief Write a PLY block by block. */
 CloudPieces

@@ -342,7 +342,10 @@ readPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& cloud)
 }
 
 std::unique_ptr<CloudRows>
-streamPLYCloud(std::istream& stream, std::uint64_t size, LabelledCloud& head)
+streamPLYCloud(std::istream& stream,
+               std::uint64_t size,
+               LabelledCloud& head,
+               const ProgressCallback&)
 {
   auto reading = std::make_unique<PLYReading>(stream, size, head);
   if (!reading->hasRows())

@@ -146,6 +146,30 @@ TEST(CloudBlocks, ReadTextAsAllAtOnce)
   }
 }
 
+TEST(CloudBlocks, TellHowFarATextWasRead)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.xyz");
+  std::string text;
+  for (int i = 0; i < 140000; ++i)
+    text += "1 2 3\n";
+  writeText(path, text);
+  std::vector<double> told;
+  const auto open = [&](std::size_t most) {
+    told.clear();
+    CloudBlockReader reader(path, "", setting::scale.initial, 65536, [&](double done) {
+      told.push_back(done);
+      return told.size() < most;
+    });
+  };
+  open(100);
+  ASSERT_EQ(told.size(), 4u); // twice the file, with two blocks that are full
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told[0], 0.2);
+  EXPECT_LE(told[3], 1.0);
+  EXPECT_THROW(open(3), CIDCancelled);
+}
+
 TEST(CloudBlocks, SeeThatATextHasChanged)
 {
   const TemporaryFolder folder;
