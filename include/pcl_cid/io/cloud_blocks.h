@@ -39,10 +39,10 @@ public:
   /** \param[in] path,extension as in readCloud(); not the standard input
    *  \param[in] scale LabelledCloud::scale
    *  \param[in] block most points of a block, at least 1
-   *  \param[in] progress told how far a text was read, whose head follows from all of
-   * it \throws CIDException as readCloud(), as far as the head of the file tells, and
-   * when it cannot be read block by block: when gzip packed it, or its format says so;
-   * the message says what can; CIDCancelled */
+   *  \param[in] progress told how far a text was read; its head follows from all of it
+   *  \throws CIDException as readCloud(), as far as the head of the file tells, and
+   *  when it cannot be read block by block: when gzip packed it, or its format says so;
+   *  the message says what can; CIDCancelled */
   explicit CloudBlockReader(const std::string& path,
                             const std::string& extension = "",
                             double scale = setting::scale.initial,
