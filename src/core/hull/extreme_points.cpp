@@ -15,6 +15,7 @@
 #include <pcl_cid/core/extreme_points.h>
 #include <pcl_cid/exceptions.h>
 
+#include <cstdint>
 #include <utility>
 
 #include <pcl/types.h>
@@ -52,15 +53,15 @@ spaceFilling(const Block& points)
   return filling;
 }
 
-/** The corners of the hull of points, all of them when it cannot be made. */
+/** The corners of the hull of points; all of them where rounding spoils it. */
 Block
 cornersAmong(const Block& points)
 {
-  const std::vector<std::size_t> corners = hullCorners(spaceFilling(points));
+  const std::vector<std::uint32_t> corners = fastHull(spaceFilling(points)).corners;
   if (corners.empty())
     return points;
   std::vector<bool> is_corner(points.size(), false);
-  for (const std::size_t corner : corners)
+  for (const std::uint32_t corner : corners)
     is_corner[corner % points.size()] = true;
   Block kept;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace pcl_cid {
@@ -102,6 +101,7 @@ public:
         if (known == none) {
           known = static_cast<std::uint32_t>(hull.vertices.size());
           hull.vertices.push_back(points_[face.corners[k]]);
+          hull.corners.push_back(face.corners[k]);
         }
         triangle[k] = known;
       }
@@ -113,22 +113,6 @@ public:
     }
     hull.volume = volumeOf(hull);
     return hull;
-  }
-
-  /** The points that are vertices of result(), ascending. */
-  std::vector<std::size_t>
-  corners() const
-  {
-    std::vector<bool> is_corner(points_.size(), false);
-    for (const GrowingFace& face : faces_)
-      if (face.is_alive)
-        for (const std::uint32_t corner : face.corners)
-          is_corner[corner] = true;
-    std::vector<std::size_t> corners;
-    for (std::size_t i = 0; i < is_corner.size(); ++i)
-      if (is_corner[i])
-        corners.push_back(i);
-    return corners;
   }
 
 private:
@@ -387,16 +371,6 @@ asFastHull(TriangleMesh mesh)
   return hull;
 }
 
-/** The hull, unless rounding spoils it. */
-std::optional<FastHull>
-grown(GrowingHull& growing, const Corners& points)
-{
-  if (growing.grow())
-    if (FastHull hull = growing.result(); isClosed(hull) && holdsAll(hull, points))
-      return hull;
-  return std::nullopt;
-}
-
 } // namespace
 
 FastHull
@@ -405,20 +379,12 @@ fastHull(const std::vector<Eigen::Vector3d>& points)
   GrowingHull growing(points);
   if (!growing.begin())
     return {};
-  if (std::optional<FastHull> hull = grown(growing, points))
-    return *std::move(hull);
+  if (growing.grow())
+    if (FastHull hull = growing.result(); isClosed(hull) && holdsAll(hull, points))
+      return hull;
   TriangleMesh exact = convexHull(points);
   return asFastHull(exact.triangles.empty() ? boxMesh(principalBox(points), 0)
                                             : std::move(exact));
-}
-
-std::vector<std::size_t>
-hullCorners(const std::vector<Eigen::Vector3d>& points)
-{
-  GrowingHull growing(points);
-  if (!growing.begin() || !grown(growing, points))
-    return {};
-  return growing.corners();
 }
 
 double

@@ -11,7 +11,7 @@
 
 #include "hull_mesh.h"
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -23,6 +23,9 @@ struct FastHull : TriangleMesh {
   std::vector<HalfSpace> faces;    ///< one for each triangle
   std::vector<Triangle> neighbors; ///< the triangles across the sides of each, in order
   double volume = 0.0;             ///< cubic metres
+  /** Which of the points each vertex is; none where rounding has spoiled the hull and
+   *  vertices are no points. */
+  std::vector<std::uint32_t> corners;
 };
 
 /** \brief The hull of points that fill space, by quickhull (Barber, Dobkin and
@@ -35,14 +38,6 @@ struct FastHull : TriangleMesh {
  *  \return no face when the points are flat */
 FastHull
 fastHull(const std::vector<Eigen::Vector3d>& points);
-
-/** \brief Which points are the corners of the hull of some: no other is outside of that
- *  by more than 1e-8 of the extent.
- *
- *  \return their positions, ascending; none when the points are flat, or rounding
- * spoils the hull */
-std::vector<std::size_t>
-hullCorners(const std::vector<Eigen::Vector3d>& points);
 
 /** \brief The volume of fastHull(), cubic metres, unchecked: for choosing only. */
 double
