@@ -139,7 +139,12 @@ PartExporter::write(const PartSession& session, const PartExport& wanted) const
   requireOutputsCanHold(settings, scan_, run);
   const tools::AbstractedScan abstracted =
       abstractChosenParts(settings, session, scan_, run);
-  writeParts(settings, {}, abstracted, scan_, run);
+  writeParts(settings,
+             {},
+             abstracted,
+             scan_,
+             tools::pointsOfParts(scan_.cloud, abstracted.parts),
+             run);
   return {filesOf(settings), run.report.remarks};
 }
 
