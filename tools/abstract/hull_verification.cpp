@@ -144,17 +144,26 @@ verifyWith(const PartPoints& points,
            const Verification& verification)
 {
   const double rounding = roundingOf(points.points, verification.frame);
-  failIf(findBrokenGuarantee(hull.mesh,
-                             hull.frame.toLocal(points.points),
-                             verification.abstracted.optionsOf(hull.part),
-                             hull.rounding + std::min(rounding, unnoticed_rounding)),
-         hull);
+  const auto outside =
+      findPointOutside(hull.mesh,
+                       hull.frame.toLocal(points.points),
+                       verification.abstracted.optionsOf(hull.part),
+                       hull.rounding + std::min(rounding, unnoticed_rounding));
+  if (outside)
+    failIf(outside->sentenceAbout(
+               static_cast<std::size_t>(points.indices[outside->point])),
+           hull);
 }
 
 /** \param[in] hulls of parts with ascending numbers; primitives may stand for others */
 void
 verifyHulls(const std::vector<StoredHull>& hulls, const Verification& verification)
 {
+  for (const StoredHull& hull : hulls)
+    failIf(
+        findBrokenGuarantee(
+            hull.mesh, {}, verification.abstracted.optionsOf(hull.part), hull.rounding),
+        hull);
   verification.show([&](const PartPoints& points) {
     const auto hull = std::lower_bound(
         hulls.begin(), hulls.end(), points.part, [](const StoredHull& h, auto part) {

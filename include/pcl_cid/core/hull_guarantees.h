@@ -12,6 +12,7 @@
 #include <pcl_cid/core/convex_part.h>
 #include <pcl_cid/pcl_cid_export.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,5 +58,29 @@ findBrokenGuarantee(const TriangleMesh& hull,
                     const std::vector<Eigen::Vector3d>& points,
                     const ConvexPartOptions& options,
                     double rounding = 0.0);
+
+/** \brief A point that a hull does not contain, the third guarantee. */
+struct PCL_CID_EXPORT PointOutside {
+  std::size_t point; ///< its place among those that were asked about
+  double excess;     ///< how far it is too far out, metres
+  double padding;    ///< that was asked for, metres
+  double tolerance;  ///< that was allowed for, metres
+
+  /** \brief The sentence of findBrokenGuarantee().
+   *  \param[in] name what the point goes by, such as its index in a file */
+  std::string
+  sentenceAbout(std::size_t name) const;
+};
+
+/** \brief Whether a hull contains points: only the third guarantee, for points that
+ *  come piece by piece. Arguments and errors are those of findBrokenGuarantee().
+ *  \param[in] hull one whose surface is known to be right
+ *  \return the first point outside; nothing when there is none
+ *  \note Cost: O(F n). */
+PCL_CID_EXPORT std::optional<PointOutside>
+findPointOutside(const TriangleMesh& hull,
+                 const std::vector<Eigen::Vector3d>& points,
+                 const ConvexPartOptions& options,
+                 double rounding = 0.0);
 
 } // namespace pcl_cid

@@ -27,13 +27,17 @@ using Block = ExtremePoints::Block;
 
 constexpr std::size_t run_length = 1024;
 
+/** What is thinner than this share of the extent is flat; and where rounding spoils the
+ *  hull of what is hardly thicker, what is thinner than the second. */
+constexpr double flat = 1e-6;
+constexpr double nearly_flat = 1e-3;
+
 /** The points about their center, and where they are flat, copies of them all on either
  *  side, so that they fill space. Point i is a copy of the one at i modulo their
  *  number, and what is extreme among them is so among its copies. */
 Block
-spaceFilling(const Block& points)
+spaceFilling(const Block& points, double flat_share)
 {
-  constexpr double flat = 1e-6; // share of the extent
   const PrincipalBox box = principalBox(points);
   const double extent = box.extents.maxCoeff();
   Block filling;
@@ -41,7 +45,7 @@ spaceFilling(const Block& points)
   for (const Eigen::Vector3d& p : points)
     filling.push_back(p - box.center);
   for (int axis = 0; axis < 3; ++axis) {
-    if (box.extents[axis] > flat * extent)
+    if (box.extents[axis] > flat_share * extent)
       continue;
     const Eigen::Vector3d aside = (extent > 0.0 ? extent : 1.0) * box.axes.col(axis);
     const std::size_t count = filling.size();
@@ -57,7 +61,9 @@ spaceFilling(const Block& points)
 Block
 cornersAmong(const Block& points)
 {
-  const std::vector<std::uint32_t> corners = fastHull(spaceFilling(points)).corners;
+  std::vector<std::uint32_t> corners = fastHull(spaceFilling(points, flat)).corners;
+  if (corners.empty())
+    corners = fastHull(spaceFilling(points, nearly_flat)).corners;
   if (corners.empty())
     return points;
   std::vector<bool> is_corner(points.size(), false);

@@ -117,20 +117,13 @@ public:
     return {};
   }
 
-  Verdict
+  std::optional<PointOutside>
   findPointOutside(const std::vector<Eigen::Vector3d>& points) const
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (const double excess = excessOf(points[i]) + options_.padding;
           excess > tolerance())
-        return sentence("point ",
-                        i,
-                        " is not contained: it is ",
-                        excess,
-                        " metres too far out, with a padding of ",
-                        options_.padding,
-                        "; the tolerance is ",
-                        tolerance());
+        return PointOutside{i, excess, options_.padding, tolerance()};
     return {};
   }
 
@@ -267,7 +260,28 @@ private:
   std::vector<Face> faces_;
 };
 
+void
+requireRounding(double rounding)
+{
+  if (!(rounding >= 0.0) || std::isinf(rounding))
+    throw CIDException(sentence(
+        "the rounding is ", rounding, "; it must be a number of metres, 0 or more"));
+}
+
 } // namespace
+
+std::string
+PointOutside::sentenceAbout(std::size_t name) const
+{
+  return sentence("point ",
+                  name,
+                  " is not contained: it is ",
+                  excess,
+                  " metres too far out, with a padding of ",
+                  padding,
+                  "; the tolerance is ",
+                  tolerance);
+}
 
 double
 floatRounding(const TriangleMesh& mesh)
@@ -291,19 +305,28 @@ findBrokenGuarantee(const TriangleMesh& hull,
                     double rounding)
 {
   requireValid(options);
-  if (!(rounding >= 0.0) || std::isinf(rounding))
-    throw CIDException(sentence(
-        "the rounding is ", rounding, "; it must be a number of metres, 0 or more"));
+  requireRounding(rounding);
   if (Verdict broken = findBrokenSurface(hull))
     return broken;
   const Examination examination(hull, options, rounding);
   if (Verdict broken = examination.findHollow())
     return broken;
-  if (Verdict broken = examination.findPointOutside(points))
-    return broken;
+  if (const auto outside = examination.findPointOutside(points))
+    return outside->sentenceAbout(outside->point);
   if (Verdict broken = examination.findThinDirection())
     return broken;
   return examination.findTooManyVertices();
+}
+
+std::optional<PointOutside>
+findPointOutside(const TriangleMesh& hull,
+                 const std::vector<Eigen::Vector3d>& points,
+                 const ConvexPartOptions& options,
+                 double rounding)
+{
+  requireValid(options);
+  requireRounding(rounding);
+  return Examination(hull, options, rounding).findPointOutside(points);
 }
 
 } // namespace pcl_cid

@@ -80,7 +80,16 @@ blocks()
   };
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, V(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  const auto plate = [&](double thickness) {
+    return drawn(
+        [&](const V& p) -> V { return turn * V(p.x(), p.y(), thickness * p.z()); });
+  };
   return {
+      {"plate of 1e-5", plate(1e-5), 700},
+      {"plate of 2e-6", plate(2e-6), 700},
+      {"plate of 1e-6", plate(1e-6), 700},
+      {"plate of 5e-7", plate(5e-7), 700},
+      {"plate of 1e-8", plate(1e-8), 700},
       {"cube", drawn(same), 700},
       {"swept cube", swept(drawn(same)), 700},
       {"grid", drawn(quantized), 60},
