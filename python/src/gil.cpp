@@ -25,7 +25,7 @@ std::atomic<std::thread::id>
     ending{}; ///< the thread that ends the process, once it does
 
 [[noreturn]] void
-waitForTheEnd()
+stayUntilTheEnd()
 {
   for (;;)
     pause();
@@ -50,7 +50,7 @@ mustLeave()
 }
 
 void
-waitAtTheEnd()
+letTheEndWait()
 {
   py::module_::import("atexit").attr("register")(py::cpp_function(waitForWork));
   // Of all threads a forked child has only the one that forked, which holds the lock.
@@ -66,7 +66,7 @@ GilReleased::GilReleased()
   state_ = PyEval_SaveThread();
   if (mustLeave()) {
     --at_work;
-    waitForTheEnd();
+    stayUntilTheEnd();
   }
 }
 
@@ -74,7 +74,7 @@ GilReleased::~GilReleased()
 {
   if (mustLeave()) {
     --at_work;
-    waitForTheEnd();
+    stayUntilTheEnd();
   }
   PyEval_RestoreThread(state_); // the end, which lets go of the lock, waits for this
   --at_work;

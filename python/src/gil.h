@@ -17,7 +17,7 @@ namespace pcl_cid::python {
  *
  *  A daemon thread may be within such a scope when the process ends, and Python takes
  *  the interpreter down under its feet. So the end waits until every such scope is left
- *  (see waitAtTheEnd()), and a thread that leaves one stays there until the process is
+ *  (see letTheEndWait()), and a thread that leaves one stays there until the process is
  *  gone.
  */
 class GilReleased {
@@ -40,6 +40,6 @@ mustLeave();
  *  lock. They hear of it through mustLeave().
  */
 void
-waitAtTheEnd();
+letTheEndWait();
 
 } // namespace pcl_cid::python

@@ -26,7 +26,7 @@ PYBIND11_MODULE(_pcl_cid, module)
   module.attr("__version__") = PCL_CID_VERSION;
   py::options options;
   options.disable_function_signatures();
-  waitAtTheEnd();
+  letTheEndWait();
   bindErrors(module);
   bindSettings(module);
   bindClouds(module);

@@ -106,6 +106,15 @@ trianglesOf(const std::vector<ConvexPart>& parts)
 }
 
 double
+diagonalOf(const std::vector<Eigen::Vector3d>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points)
+    box.extend(p);
+  return box.diagonal().norm();
+}
+
+double
 excess(const TriangleMesh& hull, const Eigen::Vector3d& p)
 {
   double most = -INFINITY;

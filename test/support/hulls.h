@@ -38,6 +38,10 @@ inDouble(const Points& points);
 std::size_t
 trianglesOf(const std::vector<ConvexPart>& parts);
 
+/** Of the box of some points. */
+double
+diagonalOf(const std::vector<Eigen::Vector3d>& points);
+
 /** How far outside of a hull: the largest excess over its faces. */
 double
 excess(const TriangleMesh& hull, const Eigen::Vector3d& p);

@@ -116,6 +116,15 @@ ToolTest::run(const std::string& tool, const std::vector<std::string>& arguments
 }
 
 ToolRun
+ToolTest::runFromSmallProcess(const std::string& tool,
+                              const std::vector<std::string>& arguments) const
+{
+  std::vector<std::string> of_shell{"-c", "\"$@\"; exit $?", "sh", programOf(tool)};
+  of_shell.insert(of_shell.end(), arguments.begin(), arguments.end());
+  return run("/bin/sh", of_shell);
+}
+
+ToolRun
 ToolTest::segment(std::vector<std::string> arguments) const
 {
   if (std::find(arguments.begin(), arguments.end(), "--labels") == arguments.end())

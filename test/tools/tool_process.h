@@ -67,6 +67,12 @@ protected:
   ToolRun
   run(const std::string& tool, const std::vector<std::string>& arguments) const;
 
+  /** \brief The same, from a small process. The peak of the memory of a process
+   * includes that of the one which started it, and this one may be large. */
+  ToolRun
+  runFromSmallProcess(const std::string& tool,
+                      const std::vector<std::string>& arguments) const;
+
   /** \brief Run pcl_cid_segment with a few seeds; it must succeed. */
   ToolRun
   segment(std::vector<std::string> arguments) const;

@@ -137,11 +137,11 @@ failIf(const std::optional<std::string>& broken, const StoredHull& hull)
                        partName(hull.part) + " breaks a guarantee: " + *broken);
 }
 
-/** All guarantees of a hull, for these points of its part. */
+/** The guarantee that depends on points, for some of a part. */
 void
-verifyWith(const PartPoints& points,
-           const StoredHull& hull,
-           const Verification& verification)
+verifyContains(const PartPoints& points,
+               const StoredHull& hull,
+               const Verification& verification)
 {
   const double rounding = roundingOf(points.points, verification.frame);
   const auto outside =
@@ -170,7 +170,7 @@ verifyHulls(const std::vector<StoredHull>& hulls, const Verification& verificati
           return h.part < part;
         });
     if (hull != hulls.end() && hull->part == points.part)
-      verifyWith(points, *hull, verification);
+      verifyContains(points, *hull, verification);
   });
   if (verification.error)
     for (const StoredHull& hull : hulls)

@@ -197,13 +197,20 @@ abstract(const AbstractSettings& settings,
   return result;
 }
 
+/** None where no file has any. */
+Viewpoints
+viewpointsOfFile(const AbstractSettings& settings)
+{
+  return hasViewpointFile(settings) ? readViewpoints(settings.viewpoints)
+                                    : Viewpoints();
+}
+
 ScanFigures
 runAbstract(const AbstractSettings& settings)
 {
   Run run(abstract_tool, settings.quiet, inputsOf(settings));
   announceOutputs(settings, run.outputs);
-  const Viewpoints read =
-      hasViewpointFile(settings) ? readViewpoints(settings.viewpoints) : Viewpoints();
+  const Viewpoints read = viewpointsOfFile(settings);
   const LoadedScan scan = loadScan(settings, run);
   const Viewpoints viewpoints = localViewpoints(settings, read, scan);
   requireOutputsCanHold(settings, scan, run);
@@ -219,8 +226,7 @@ abstractVoxels(const AbstractSettings& settings)
 {
   Run run(abstract_tool, settings.quiet, inputsOf(settings));
   announceOutputs(settings, run.outputs);
-  const Viewpoints read =
-      hasViewpointFile(settings) ? readViewpoints(settings.viewpoints) : Viewpoints();
+  const Viewpoints read = viewpointsOfFile(settings);
   VoxelScan voxels(settings, settings.labels, {}, run);
   const LoadedScan& scan = voxels.scan();
   const Viewpoints viewpoints = localViewpoints(settings, read, scan);

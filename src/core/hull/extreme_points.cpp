@@ -27,31 +27,31 @@ using Block = ExtremePoints::Block;
 
 constexpr std::size_t run_length = 1024;
 
-/** What is thinner than this share of the extent is flat; and where rounding spoils the
- *  hull of what is hardly thicker, what is thinner than the second. */
-constexpr double flat = 1e-6;
-constexpr double nearly_flat = 1e-3;
-
-/** The points about their center, and where they are flat, copies of them all on either
- *  side, so that they fill space. Point i is a copy of the one at i modulo their
- *  number, and what is extreme among them is so among its copies. */
+/** The points along the axes of their box, stretched until that is a cube: a hull keeps
+ *  its corners, and rounding spoils that of a thin plate no more than that of a ball.
+ *  What is flat but for rounding cannot be stretched; there, copies of all points on
+ *  either side fill space. Point i is a copy of the one at i modulo their number, and
+ *  what is extreme among them is so among its copies. */
 Block
-spaceFilling(const Block& points, double flat_share)
+spaceFilling(const Block& points)
 {
+  constexpr double flat = 1e-12; // share of the largest extent
   const PrincipalBox box = principalBox(points);
-  const double extent = box.extents.maxCoeff();
+  const double largest = box.extents.maxCoeff();
   Block filling;
   filling.reserve(8 * points.size());
   for (const Eigen::Vector3d& p : points)
-    filling.push_back(p - box.center);
+    filling.push_back(box.toLocal(p));
   for (int axis = 0; axis < 3; ++axis) {
-    if (box.extents[axis] > flat_share * extent)
+    if (box.extents[axis] > flat * largest) {
+      for (Eigen::Vector3d& p : filling)
+        p[axis] /= box.extents[axis];
       continue;
-    const Eigen::Vector3d aside = (extent > 0.0 ? extent : 1.0) * box.axes.col(axis);
+    }
     const std::size_t count = filling.size();
     for (std::size_t i = 0; i < count; ++i) {
-      filling.push_back(filling[i] + aside);
-      filling[i] -= aside;
+      filling.push_back(filling[i] + Eigen::Vector3d::Unit(axis));
+      filling[i] -= Eigen::Vector3d::Unit(axis);
     }
   }
   return filling;
@@ -61,9 +61,7 @@ spaceFilling(const Block& points, double flat_share)
 Block
 cornersAmong(const Block& points)
 {
-  std::vector<std::uint32_t> corners = fastHull(spaceFilling(points, flat)).corners;
-  if (corners.empty())
-    corners = fastHull(spaceFilling(points, nearly_flat)).corners;
+  const std::vector<std::uint32_t> corners = fastHull(spaceFilling(points)).corners;
   if (corners.empty())
     return points;
   std::vector<bool> is_corner(points.size(), false);

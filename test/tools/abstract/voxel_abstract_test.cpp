@@ -25,8 +25,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <Eigen/Geometry>
-
 namespace pcl_cid::test {
 namespace {
 
@@ -38,15 +36,6 @@ joined(Arguments first, const Arguments& second)
 {
   first.insert(first.end(), second.begin(), second.end());
   return first;
-}
-
-double
-diagonalOfMesh(const TriangleMesh& mesh)
-{
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& v : mesh.vertices)
-    box.extend(v);
-  return box.diagonal().norm();
 }
 
 class VoxelAbstract : public ToolTest {
@@ -98,7 +87,7 @@ protected:
       const TriangleMesh& hull = hulls.at(labels[i] - 1);
       worst = std::max(worst,
                        excess(hull, at[i]) + padding - rounded -
-                           hull_tolerance * diagonalOfMesh(hull));
+                           hull_tolerance * diagonalOf(hull.vertices));
     }
     return worst;
   }
@@ -295,8 +284,8 @@ TEST_F(VoxelAbstract, WritesTheUnitThatIsAskedFor)
     ASSERT_EQ(hulls.size(), 5u);
     EXPECT_LE(worstExcess(file("labels.pcd"), labelsIn(file("labels.pcd")), hulls),
               0.0);
-    EXPECT_LT(diagonalOfMesh(hulls[0]), unit == "file" ? 20000.0 : 20.0);
-    EXPECT_GT(diagonalOfMesh(hulls[0]), unit == "file" ? 20.0 : 0.02);
+    EXPECT_LT(diagonalOf(hulls[0].vertices), unit == "file" ? 20000.0 : 20.0);
+    EXPECT_GT(diagonalOf(hulls[0].vertices), unit == "file" ? 20.0 : 0.02);
   }
 }
 
@@ -396,28 +385,22 @@ TEST_F(VoxelAbstract, MemoryIsThatOfTheVoxels)
   const auto peak = [&](std::size_t points) {
     saveCloud(
         file("cube.pcd"), toLabelledCloud(*toCloud(randomCube(points, 3))), pcd_binary);
-    // The peak of a process includes that of the one which started it: a small one
-    // here.
-    const ToolRun done = ToolTest::run("/bin/sh",
-                                       {"-c",
-                                        "\"$@\"; exit $?",
-                                        "sh",
-                                        PCL_CID_TOOL_DIR "/pcl_cid_abstract",
-                                        file("cube.pcd"),
-                                        file("out.obj"),
-                                        "--voxel",
-                                        "0.25",
-                                        "--parts",
-                                        "2",
-                                        "--merging",
-                                        "cid",
-                                        "--verify",
-                                        "--labels",
-                                        file("out.pcd"),
-                                        "--threads",
-                                        "1",
-                                        "--report",
-                                        file("report.json")});
+    const ToolRun done = runFromSmallProcess("pcl_cid_abstract",
+                                             {file("cube.pcd"),
+                                              file("out.obj"),
+                                              "--voxel",
+                                              "0.25",
+                                              "--parts",
+                                              "2",
+                                              "--merging",
+                                              "cid",
+                                              "--verify",
+                                              "--labels",
+                                              file("out.pcd"),
+                                              "--threads",
+                                              "1",
+                                              "--report",
+                                              file("report.json")});
     EXPECT_EQ(done.exit_code, 0) << done.err;
     EXPECT_EQ(report()["points"]["voxels"], 64);
     return report()["peak_memory_bytes"].get<double>();

@@ -277,21 +277,15 @@ TEST_F(VoxelTool, MemoryIsThatOfTheVoxels)
   const auto peak = [&](std::size_t points) {
     saveCloud(
         file("cube.pcd"), toLabelledCloud(*toCloud(randomCube(points, 3))), pcd_binary);
-    // The peak of a process includes that of the one which started it: a small one
-    // here.
-    const ToolRun done = run("/bin/sh",
-                             {"-c",
-                              "\"$@\"; exit $?",
-                              "sh",
-                              PCL_CID_TOOL_DIR "/pcl_cid_segment",
-                              file("cube.pcd"),
-                              file("out.pcd"),
-                              "--voxel",
-                              "0.25",
-                              "--threads",
-                              "1",
-                              "--report",
-                              file("report.json")});
+    const ToolRun done = runFromSmallProcess("pcl_cid_segment",
+                                             {file("cube.pcd"),
+                                              file("out.pcd"),
+                                              "--voxel",
+                                              "0.25",
+                                              "--threads",
+                                              "1",
+                                              "--report",
+                                              file("report.json")});
     EXPECT_EQ(done.exit_code, 0) << done.err;
     EXPECT_EQ(report()["points"]["voxels"], 64);
     return report()["peak_memory_bytes"].get<double>();
